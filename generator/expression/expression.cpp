@@ -28,9 +28,33 @@ void require_same_unit(const Expression& a, const Expression& b) {
                               a.unit().to_string(), b.to_string(), b.unit().to_string()));
 }
 
+bool is_number(const Expression& x, const Number& value) {
+  const auto* number = std::get_if<Number>(&x.node().content);
+  return number != nullptr && *number == value;
+}
+
+std::string text_of_sum(const Expression::Node::Sum& sum) {
+  const std::string left = sum.left.to_string(), right = sum.right.to_string();
+  return right[0] == '-' ? fmt::format("{} - {}", left, right.substr(1)) : fmt::format("{} + {}", left, right);
+}
+
+bool is_one(const Expression& x) {
+  const auto* power = std::get_if<Expression::Node::Power>(&x.node().content);
+  return is_number(power != nullptr ? power->base : x, Number(1));
+}
+
+/// A formula that stands between commas or alone within parentheses.
+std::string text_inside(const Expression& x) {
+  const auto* product = std::get_if<Expression::Node::Product>(&x.node().content);
+  if (product != nullptr && is_one(product->right)) return text_inside(product->left);
+  if (product != nullptr && is_one(product->left)) return text_inside(product->right);
+  const auto* sum = std::get_if<Expression::Node::Sum>(&x.node().content);
+  return sum != nullptr ? text_of_sum(*sum) : x.to_string();
+}
+
 std::string call_text(Function function, const std::vector<Expression>& arguments) {
   std::string inside;
-  for (const Expression& argument : arguments) inside += (inside.empty() ? "" : ", ") + argument.to_string();
+  for (const Expression& argument : arguments) inside += (inside.empty() ? "" : ", ") + text_inside(argument);
   return fmt::format("{}({})", to_string(function), inside);
 }
 
@@ -38,11 +62,6 @@ std::string call_text(Function function, const std::vector<Expression>& argument
 constexpr int deepest_formula = 20'000;
 /// From here on a sum that grows term by term is kept balanced.
 constexpr int long_sum = 1000;
-
-bool is_number(const Expression& x, const Number& value) {
-  const auto* number = std::get_if<Number>(&x.node().content);
-  return number != nullptr && *number == value;
-}
 
 /// −x as it was told, of a number or of a product that begins with −1.
 std::optional<Expression> without_minus(const Expression& x) {
@@ -58,7 +77,45 @@ std::optional<std::string> minimum_text(const Expression& x) {
   if (call == nullptr || call->function != Function::maximum) return std::nullopt;
   const auto a = without_minus(call->arguments[0]), b = without_minus(call->arguments[1]);
   if (!a || !b) return std::nullopt;
-  return fmt::format("min({}, {})", a->to_string(), b->to_string());
+  return fmt::format("min({}, {})", text_inside(*a), text_inside(*b));
+}
+
+/// x is not negative, or -x is negative, as `piecewise` has been told it.
+std::string condition_text(const Expression& x, const char* relation) {
+  const auto* sum = std::get_if<Expression::Node::Sum>(&x.node().content);
+  const auto left = sum != nullptr ? without_minus(sum->right) : std::nullopt;
+  return left ? fmt::format("{} {} {}", text_inside(*left), relation, text_inside(sum->left))
+              : fmt::format("0 {} {}", relation, text_inside(x));
+}
+
+/// The rows of `piecewise`, and of what it holds otherwise.
+std::string piecewise_text(const Expression& x) {
+  const auto* call = std::get_if<Expression::Node::Apply>(&x.node().content);
+  if (call == nullptr || call->function != Function::select) return text_inside(x);
+  const std::optional<Expression> strict = without_minus(call->arguments[0]);
+  const Expression& form = call->arguments[strict ? 2 : 1];
+  return fmt::format("{}: {}, {}", condition_text(strict ? *strict : call->arguments[0], strict ? "<" : "<="), text_inside(form),
+                     piecewise_text(call->arguments[strict ? 1 : 2]));
+}
+
+/// In parentheses where a power or a quotient would take a part of it alone.
+std::string text_of_base(const Expression& x) {
+  const auto& content = x.node().content;
+  const auto* number = std::get_if<Number>(&content);
+  const bool parts = std::holds_alternative<Expression::Node::Product>(content) ||
+                     std::holds_alternative<Expression::Node::Power>(content) ||
+                     (number != nullptr && (number->sign() < 0 || !number->is_integer()));
+  return parts ? fmt::format("({})", x.to_string()) : x.to_string();
+}
+
+/// Without factors that are one, in whichever unit.
+std::string product_text(const Expression& left, const Expression& right) {
+  if (is_one(right)) return left.to_string();
+  const auto* power = std::get_if<Expression::Node::Power>(&right.node().content);
+  if (power != nullptr && power->exponent == -1) return fmt::format("{}/{}", left.to_string(), text_of_base(power->base));
+  if (is_one(left)) return right.to_string();
+  const std::string text = right.to_string();
+  return left.to_string() + "*" + (text[0] == '-' ? "(" + text + ")" : text);
 }
 
 /// The unit of a call; `text` is how errors name it.
@@ -218,21 +275,25 @@ std::string Expression::to_string() const {
   return std::visit(Overloaded{
                         [](const Number& value) { return value.to_string(); },
                         [](const SymbolPointer& symbol) { return symbol->name; },
-                        [](const Node::Sum& sum) {
-                          return fmt::format("({} + {})", sum.left.to_string(), sum.right.to_string());
-                        },
+                        [](const Node::Sum& sum) { return fmt::format("({})", text_of_sum(sum)); },
                         [](const Node::Product& product) {
                           if (is_number(product.left, Number(-1))) {
                             const std::optional<std::string> least = minimum_text(product.right);
                             return least ? *least : "-" + product.right.to_string();
                           }
-                          return fmt::format("{}*{}", product.left.to_string(), product.right.to_string());
+                          return product_text(product.left, product.right);
                         },
                         [](const Node::Power& power) {
-                          return fmt::format("{}^({})", power.base.to_string(), power.exponent);
+                          const std::string base = text_of_base(power.base);
+                          if (power.exponent == -1) return "1/" + base;
+                          return power.exponent < 0 ? fmt::format("{}^({})", base, power.exponent)
+                                                    : fmt::format("{}^{}", base, power.exponent);
                         },
-                        [](const Node::Apply& call) { return call_text(call.function, call.arguments); },
-                        [](const Node::Rate& rate) { return fmt::format("d/dt({})", rate.formula.to_string()); },
+                        [this](const Node::Apply& call) {
+                          return call.function == Function::select ? fmt::format("piecewise({})", piecewise_text(*this))
+                                                                   : call_text(call.function, call.arguments);
+                        },
+                        [](const Node::Rate& rate) { return fmt::format("d/dt({})", text_inside(rate.formula)); },
                     },
                     node_->content);
 }

@@ -10,6 +10,7 @@
 #include "torsor/generator/mechanics/identifier.hpp"
 #include "torsor/generator/mechanics/require_unit.hpp"
 #include "torsor/generator/mechanics/triple_algebra.hpp"
+#include "torsor/generator/program/written_unit.hpp"
 
 namespace torsor {
 namespace {
@@ -29,7 +30,7 @@ std::string followed(const SceneContent& scene, const Expression& law, const Coo
 void require_initial_unit(const Expression& given, const Unit& unit, const std::string& what, const std::string& name) {
   if (given.unit() == unit || given.unit() == Unit()) return;
   throw UnitError(fmt::format("initial {} of '{}' is given in {} and must be in {}", what, name,
-                              given.unit().to_string(), unit.is_dimensionless() ? "plain numbers" : unit.to_string()));
+                              written_unit(given.unit()), unit.is_dimensionless() ? "plain numbers" : written_unit(unit)));
 }
 
 }  // namespace

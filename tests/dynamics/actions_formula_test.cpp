@@ -145,9 +145,9 @@ TEST_F(TwoPoints, RefuseFormulasThatAreNoForces) {
   EXPECT_EQ(refusal([&](Scene& s) { s.force_function("U", Expression::quantity("1", "W") * s.time()); }),
             "force function 'U' depends on no unknown coordinate: it makes no force; drop it");
   EXPECT_EQ(refusal([&](Scene& s) { s.generalised_force("pull", x1, metres("2")); }),
-            "the generalised force 'pull' on x1 [m] is 2 [m] and must be in kg m s^-2");
+            "the generalised force 'pull' on x1 [m] is 2 [m] and must be in N");
   EXPECT_EQ(refusal([&](Scene& s) { s.gravitation("g", a, b, Expression::quantity("1", "N")); }),
-            "the strength of the gravitation 'g' is 1 [kg m s^-2] and must be in kg m^3 s^-2");
+            "the strength of the gravitation 'g' is 1 [N] and must be in N m^2");
   Scene released = scene;
   const Expression held = released.released_coordinate("held", "m");
   released.generalised_force("stretch", x1 + held, Expression::quantity("1", "N"));

@@ -117,14 +117,14 @@ TEST_F(TwoCarts, RefuseActionsWithinOneBodyOrOnTheGround) {
             }),
             "action 'inner' acts between two frames of one rigid body: nothing moves between them");
   EXPECT_EQ(refusal([&](Scene& s) { s.drag("wind", {.body = wheel1, .point = p, .coefficient = newtons("1")}); }),
-            "the coefficient of the drag 'wind' is 1 [kg m s^-2] and must be in kg s^-1");
+            "the coefficient of the drag 'wind' is 1 [N] and must be in N s/m");
   EXPECT_EQ(
       refusal([&](Scene& s) {
         s.wrench(
             "w",
             {.body = wheel1, .point = p, .force = {newton_metres("1"), 0, 0}, .moment = {0, 0, 0}, .axes = wheel1});
       }),
-      "a force component of the wrench 'w' is 1 [kg m^2 s^-2] and must be in kg m s^-2");
+      "a force component of the wrench 'w' is 1 [N m] and must be in N");
 }
 
 /// Two bodies on a carriage that turns about z at Ω and moves along y at V, or stands; the coordinates are relative to

@@ -257,7 +257,7 @@ TEST(MeasuredVectors, HaveRatesWhereVelocitiesMayStand) {
   };
   EXPECT_EQ(follow(moved, rate(driven[0])), "no error");  // a formula of time
   EXPECT_EQ(follow(follower, rate(tip[0])),
-            "the law of coordinate 'follows' depends on the velocity 'phi'' through 1*d/dt(position(tip, ground).x): give a "
+            "the law of coordinate 'follows' depends on the velocity 'phi'' through d/dt(position(tip, ground).x): give a "
             "formula of coordinates, time and parameters");
   twice.nonholonomic("twice", rate(omega[1]));
   EXPECT_EQ(error_of([&] { validate(twice); }).substr(0, 58), "the constraint 'twice' depends on the acceleration 'phi'''");

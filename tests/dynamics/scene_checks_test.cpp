@@ -64,7 +64,7 @@ std::string refusal_of_law(const std::function<Expression(Scene&, const Expressi
 TEST(LawOfTime, IsRefusedWhereItsRateJumps) {
   const Expression half = quantity("0.5", "s"), speed = quantity("1", "m/s");
   EXPECT_EQ(refusal_of_law([&](Scene&, const Expression& t) { return max(speed * (t - half), 0); }),
-            "coordinate 'x' is driven by the law max(1*(t + -1/2), 0): its rate jumps, and the motion has no impulse for it; give "
+            "coordinate 'x' is driven by the law max(t - 1/2, 0): its rate jumps, and the motion has no impulse for it; give "
             "a law whose rate is continuous, as a spline is, or leave it an unknown with the condition holonomic(...) and start a "
             "motion anew there");
   const auto jumps = [&](const std::string& error, const char* what) {
@@ -154,7 +154,7 @@ TEST(InitialAttitude, IsRefusedInAnotherUnit) {
   EXPECT_EQ(error_of<UnitError>([&] {
               scene.initial(e, {1, 0, 0, 0}, {quantity("3", "m/s"), 0, 0});
             }),
-            "initial angular velocity of 'e' is given in m s^-1 and must be in s^-1");
+            "initial angular velocity of 'e' is given in m/s and must be in rad/s");
   EXPECT_EQ(error_of<UnitError>([&] {
               scene.initial(e, {metres("1"), 0, 0, 0});
             }),

@@ -100,7 +100,7 @@ TEST(Validation, NamesUnitsThatDoNotMatch) {
   Scene tied = pendulum();
   tied.spring("spring", Expression(tied.content().coordinates[0].q), Expression::quantity("3", "N/m"));
   // A torque is wanted, and N/m times an angle is none.
-  EXPECT_EQ(refusal(tied), "the stiffness of the spring 'spring' on theta [1] is 3 [kg s^-2] and must be in kg m^2 s^-2");
+  EXPECT_EQ(refusal(tied), "the stiffness of the spring 'spring' on theta [1] is 3 [N/m] and must be in N m");
 }
 
 TEST(Validation, NamesADrivenCoordinateThatIsAskedAsUnknownToo) {
@@ -250,7 +250,7 @@ TEST(Validation, RefusesVelocitiesWhereAConfigurationIsMeant) {
       refused([&](S& s, F b, E x, E) {
         s.point_in_plane("c", s.point("P", b, {0, 0, rate(x) * second}), s.ground());
       }),
-      "the place of point 'P' depends on the velocity 'x'' through d/dt(x)*1: give a formula of coordinates, time and "
+      "the place of point 'P' depends on the velocity 'x'' through d/dt(x): give a formula of coordinates, time and "
       "parameters");
   const std::string starts[] = {
       refused([&](S& s, F b, E, E q) { s.prismatic("out", b, axis::x, rate(q) * second * metres("1")); }),

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "torsor/generator/expression/expression_node.hpp"
+#include "torsor/generator/expression/piecewise.hpp"
 #include "torsor/generator/program/program.hpp"
 #include "tests/program/test_symbols.hpp"
 
@@ -83,6 +84,22 @@ TEST(Expression, OfManyTermsIsNoDeepTree) {
     EXPECT_EQ((program.lower(sum) - program.number(Number(terms)) * program.lower(Expression(x))).is_zero(), true);
   }
   EXPECT_EQ((Expression(x) + 1 + 2).to_string(), "((x + 1) + 2)") << "a short one stands as it was told";
+}
+
+TEST(Expression, IsPrintedAsAPersonWritesIt) {
+  const Expression x = make_symbol("x"), t = make_symbol("t", "s"), one = Expression::quantity("1", "s");
+  const auto text = [](const Expression& formula) { return formula.to_string(); };
+  EXPECT_EQ(text(Expression::quantity("1", "m") * abs(sin(10 * (t / one)))), "abs(sin(10*t))");
+  EXPECT_EQ(text(x - 1), "(x - 1)");
+  EXPECT_EQ(text(x - 2 * x), "(x - 2*x)");
+  EXPECT_EQ(text(x / (x + 1)), "x/(x + 1)");
+  EXPECT_EQ(text(x / (x * x)), "x/(x*x)");
+  EXPECT_EQ(text(1 / x), "1/x");
+  EXPECT_EQ(text(x * Expression(-2)), "x*(-2)");
+  EXPECT_EQ(text(pow(2 * x, 3) * pow(x, -2)), "(2*x)^3*x^(-2)");
+  EXPECT_EQ(text(min(x + 1, 2 * x)), "min(x + 1, 2*x)");
+  EXPECT_EQ(text(piecewise({{x < 1, 2 * x}, {x <= 3, x + 1}}, 4)), "piecewise(x < 1: 2*x, x <= 3: x + 1, 4)");
+  EXPECT_EQ(text(piecewise({{x + 1 > 2 * x, x}}, 0)), "piecewise(2*x < x + 1: x, 0)");
 }
 
 TEST(Expression, RefusesOperationsWithinOneAnotherWithoutEnd) {

@@ -85,7 +85,7 @@ TEST_F(SceneCoordinates, StartInTheirOwnUnit) {
   EXPECT_EQ(error_of<UnitError>([&] { scene.initial(x, Expression::quantity("1", "kg")); }),
             "initial value of 'x' is given in kg and must be in m");
   EXPECT_EQ(error_of<UnitError>([&] { scene.initial(x, 0, Expression::quantity("1", "m")); }),
-            "initial rate of 'x' is given in m and must be in m s^-1");
+            "initial rate of 'x' is given in m and must be in m/s");
 }
 
 TEST_F(SceneCoordinates, OfAnAttitudeStartWithTheirOwnRates) {

@@ -47,32 +47,31 @@ TEST(QuantityUnits, OfActionsAreRefusedByTheNameOfTheActionAndTheQuantity) {
       {[](Mechanism& m) {
          m.scene.gravity({0, m.mass, 0});
        },
-       "a component of the gravity is some_mass [kg] and must be in m s^-2"},
+       "a component of the gravity is some_mass [kg] and must be in m/s^2"},
       {[](Mechanism& m) { m.scene.spring("hinge", m.x, m.mass); },
-       "the stiffness of the spring 'hinge' on x [m] is some_mass [kg] and must be in kg s^-2"},
+       "the stiffness of the spring 'hinge' on x [m] is some_mass [kg] and must be in N/m"},
       {[](Mechanism& m) { m.scene.spring("hinge", m.phi, m.force / m.length); },
-       "the stiffness of the spring 'hinge' on phi [1] is some_force*some_length^(-1) [kg s^-2] and must be in kg m^2 "
-       "s^-2"},
+       "the stiffness of the spring 'hinge' on phi [1] is some_force/some_length [N/m] and must be in N m"},
       {[](Mechanism& m) { m.scene.spring("hinge", m.x, m.force / m.length, m.mass); },
        "the rest of the spring 'hinge' on x [m] is some_mass [kg] and must be in m"},
       {[](Mechanism& m) { m.scene.damper("oil", m.x, m.force); },
-       "the damping of the damper 'oil' on x [m] is some_force [kg m s^-2] and must be in kg s^-1"},
+       "the damping of the damper 'oil' on x [m] is some_force [N] and must be in N s/m"},
       {[](Mechanism& m) { m.scene.spring("rod", {.a = m.A, .b = m.B, .stiffness = m.force}); },
-       "the stiffness of the spring 'rod' is some_force [kg m s^-2] and must be in kg s^-2"},
+       "the stiffness of the spring 'rod' is some_force [N] and must be in N/m"},
       {[](Mechanism& m) {
          m.scene.spring("rod", {.a = m.A, .b = m.B, .stiffness = m.force / m.length, .rest = m.mass});
        },
        "the rest length of the spring 'rod' is some_mass [kg] and must be in m"},
       {[](Mechanism& m) { m.scene.damper("oil", m.A, m.B, m.force); },
-       "the damping of the damper 'oil' is some_force [kg m s^-2] and must be in kg s^-1"},
+       "the damping of the damper 'oil' is some_force [N] and must be in N s/m"},
       {[](Mechanism& m) {
          m.scene.force("push", {.body = m.arm, .point = m.B, .components = {m.mass, 0, 0}, .axes = m.scene.ground()});
        },
-       "a component of the force 'push' is some_mass [kg] and must be in kg m s^-2"},
+       "a component of the force 'push' is some_mass [kg] and must be in N"},
       {[](Mechanism& m) {
          m.scene.torque("twist", m.arm, {m.force, 0, 0}, m.scene.ground());
        },
-       "a component of the torque 'twist' is some_force [kg m s^-2] and must be in kg m^2 s^-2"},
+       "a component of the torque 'twist' is some_force [N] and must be in N m"},
       {[](Mechanism& m) {
          m.scene.sliding_friction("rub", m.floor,
                                   {.coefficient = m.x / m.length,

@@ -12,9 +12,9 @@ namespace {
 
 TEST(FormulaText, ReadsPrecedenceFunctionsAndPrimes) {
   const Scene scene = test::absorber();
-  EXPECT_EQ(parse_formula("X0 + 2*d^2/R", scene).to_string(), "(X0 + 2*d^(2)*R^(-1))");
+  EXPECT_EQ(parse_formula("X0 + 2*d^2/R", scene).to_string(), "(X0 + 2*d^2/R)");
   EXPECT_EQ(parse_formula("-(1.5e-1)", scene).to_string(), "-3/20");
-  EXPECT_EQ(parse_formula("sin(pi/2)", scene).to_string(), "sin(pi*2^(-1))");
+  EXPECT_EQ(parse_formula("sin(pi/2)", scene).to_string(), "sin(pi/2)");
   EXPECT_EQ(parse_formula("theta'", scene).as_symbol()->kind, SymbolKind::velocity);
 }
 

@@ -94,7 +94,7 @@ TEST(SelectionsText, IsReadBack) {
   EXPECT_EQ(parse_formula("max(abs(x), min(y, 2*y))", scene).to_string(),
             "max(abs(x), min(y, 2*y))");
   EXPECT_EQ(parse_formula("-max(-y, x)", scene).to_string(), "-max(-y, x)");
-  EXPECT_EQ(parse_formula("min(x, y) - 2*min(-x, y)", scene).to_string(), "(min(x, y) + -2*min(-x, y))");
+  EXPECT_EQ(parse_formula("min(x, y) - 2*min(-x, y)", scene).to_string(), "(min(x, y) - 2*min(-x, y))");
   EXPECT_EQ(parse_formula("atan2(x, y) + sign(x)", scene).to_string(), "(atan2(x, y) + sign(x))");
 }
 
