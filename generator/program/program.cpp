@@ -263,6 +263,32 @@ std::optional<Value> Program::exact_angle(const Value& y, const Value& x) {
   return std::nullopt;
 }
 
+/// sqrt(c x^2 y^4) = sqrt(c) |x| y^2, whose slope is known at x = 0 and y = 0 too.
+std::optional<Value> Program::root_of_square(const Value& square) {
+  if (square.polynomial().terms().size() != 1 || square.is_constant()) return std::nullopt;
+  const Term& term = square.polynomial().terms()[0];
+  Monomial plain, signless;
+  for (const Factor& factor : term.monomial) {
+    if (factor.exponent % 2 != 0) return std::nullopt;
+    const int half = factor.exponent / 2;
+    const std::optional<Function> function = (*this)[factor.value_number].function;
+    const bool positive = function == Function::sqrt || function == Function::exp || function == Function::abs;
+    const int odd = positive ? 0 : half % 2;
+    if (odd != 0) signless.push_back({factor.value_number, odd});
+    if (half != odd) plain.push_back({factor.value_number, half - odd});
+  }
+  if (term.coefficient.sign() < 0) return std::nullopt;
+  const auto of = [this](const Monomial& monomial) {
+    Unit unit;
+    for (const Factor& factor : monomial) unit = unit * (*this)[factor.value_number].unit.pow(factor.exponent);
+    return Value(*this, Polynomial(Term{monomial, Number(1)}), unit);
+  };
+  Value root = apply(Function::sqrt, number(term.coefficient));
+  if (!plain.empty()) root = root * of(plain);
+  if (!signless.empty()) root = root * apply(Function::abs, of(signless));
+  return Value(*this, root.polynomial(), square.unit().root());
+}
+
 Value Program::shifted_angle(Function function, const Value& angle) {
   // angle = rest + k π/12: the addition theorem with exact constants.
   Polynomial rest = angle.polynomial();
@@ -312,6 +338,9 @@ Value Program::apply(Function function, const std::vector<Value>& given) {
     mirrored[0] = -mirrored[0];
     const Value value = apply(function, mirrored);
     return traits.parity == Parity::odd ? -value : value;
+  }
+  if (function == Function::sqrt) {
+    if (const std::optional<Value> root = root_of_square(given[0])) return *root;
   }
   if ((function == Function::abs || function == Function::sign) && given[0].polynomial().terms().size() == 1) {
     const Term& term = given[0].polynomial().terms()[0];

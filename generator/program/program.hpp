@@ -138,6 +138,7 @@ class Program {
   Value apply_to_number(Function function, const Value& argument);
   std::optional<Value> known_choice(Function function, const std::vector<Value>& arguments);
   std::optional<Value> exact_angle(const Value& y, const Value& x);
+  std::optional<Value> root_of_square(const Value& square);
   Value shifted_angle(Function function, const Value& angle);
   Stage stage_of(const Polynomial& polynomial) const;
 

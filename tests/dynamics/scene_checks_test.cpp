@@ -8,7 +8,6 @@
 
 #include "torsor/generator/dynamics/equations/equations.hpp"
 #include "torsor/generator/dynamics/equations/validation.hpp"
-#include "torsor/generator/expression/piecewise.hpp"
 #include "torsor/generator/mechanics/axis_bounds.hpp"
 #include "tests/program/test_symbols.hpp"
 #include "tests/scenes/pendulums.hpp"
@@ -47,105 +46,6 @@ TEST(LawOfTime, IsRefusedWhenLawsNameEachOther) {
   scene.body("wheel", scene.revolute("wheel", "arm", axis::z, a), Inertia::disk(kilograms("1"), metres("1"), 2));
   scene.body("second", scene.revolute("second", "arm", axis::z, b + c), Inertia::disk(kilograms("1"), metres("1"), 2));
   EXPECT_EQ(refusal(scene), "no error");
-}
-
-/// A pendulum whose pivot a law of time moves, by a coordinate or as the displacement itself.
-std::string refusal_of_law(const std::function<Expression(Scene&, const Expression& t)>& law, bool driven = true) {
-  Scene scene("carried");
-  const Expression formula = law(scene, scene.time()), x = scene.coordinate("x", "m");
-  if (driven) scene.drive(x, formula);
-  const FrameHandle pivot = scene.prismatic("pivot", scene.ground(), axis::x, driven ? x : formula + 2 * x);
-  if (!driven) scene.body("cart", pivot, Inertia::point(kilograms("1")));
-  const FrameHandle arm = scene.revolute("arm", pivot, axis::y, scene.coordinate("theta", "rad"));
-  scene.body("bob", arm, Inertia::point(kilograms("1")).at({0, 0, metres("-1")}));
-  return refusal(scene);
-}
-
-TEST(LawOfTime, IsRefusedWhereItsRateJumps) {
-  const Expression half = quantity("0.5", "s"), speed = quantity("1", "m/s");
-  EXPECT_EQ(refusal_of_law([&](Scene&, const Expression& t) { return max(speed * (t - half), 0); }),
-            "coordinate 'x' is driven by the law max(t - 1/2, 0): its rate jumps, and the motion has no impulse for it; give "
-            "a law whose rate is continuous, as a spline is, or leave it an unknown with the condition holonomic(...) and start a "
-            "motion anew there");
-  const auto jumps = [&](const std::string& error, const char* what) {
-    return error.find("coordinate 'x' is driven by the law ") == 0 && error.find(what) != std::string::npos;
-  };
-  const auto value = [&](const Expression& t) { return piecewise({{t < half, metres("0")}}, metres("0.3")); };
-  const auto kink = [&](const Expression& t) { return piecewise({{t < half, metres("0")}}, speed * (t - half)); };
-  const std::vector<std::function<Expression(Scene&, const Expression&)>> bent{
-      [&](Scene&, const Expression& t) { return speed * abs(t - half); },
-      [&](Scene&, const Expression& t) { return kink(t); },
-      [&](Scene&, const Expression& t) { return metres("1") * abs(sin(t / half)); },
-  };
-  for (const auto& law : bent) EXPECT_TRUE(jumps(refusal_of_law(law), ": its rate jumps")) << refusal_of_law(law);
-  EXPECT_TRUE(jumps(refusal_of_law([&](Scene&, const Expression& t) { return value(t); }), ": that jumps"));
-  // Through another coordinate, whose law it is that bends.
-  const auto chain = [&](int power) {
-    return refusal_of_law([&, power](Scene& s, const Expression& t) {
-      const Expression other = s.coordinate("u", "m");
-      s.drive(other, kink(t));
-      return metres("1") * pow(other / metres("1"), power);
-    });
-  };
-  EXPECT_EQ(chain(1).find("coordinate 'u' is driven by the law "), 0U) << chain(1);
-  EXPECT_EQ(chain(2), "no error");  // whose rate 2 u u' is continuous
-  const std::string of_joint = refusal_of_law([&](Scene&, const Expression& t) { return kink(t); }, false);
-  EXPECT_EQ(of_joint.find("the displacement of joint 'pivot' is "), 0U) << of_joint;
-}
-
-TEST(LawOfTime, MayBendWhereItsRateIsContinuous) {
-  const Expression half = quantity("0.5", "s"), third = quantity("1", "m/s^2");
-  const auto from_rest = [&](const Expression& t) { return third * pow(max(t - half, 0), 2); };
-  EXPECT_EQ(refusal_of_law([&](Scene&, const Expression& t) { return from_rest(t); }), "no error");
-  EXPECT_EQ(refusal_of_law([&](Scene&, const Expression& t) { return from_rest(t); }, false), "no error");
-  const auto curve = [&](const Expression& t) { return spline(t, {{0, 0}, {1, 0.5}, {2, 0.25}}, "m"); };
-  EXPECT_EQ(refusal_of_law([&](Scene&, const Expression& t) { return curve(t); }), "no error");
-  // Two straight lines with slopes that are equal for the values that the parameters have.
-  const auto lines = [&](int slope) {
-    return refusal_of_law([&, slope](Scene& s, const Expression& t) {
-      const Expression a = s.run_time_parameter("a", "m/s", 2), b = s.run_time_parameter("b", "m/s", slope);
-      return piecewise({{t < half, a * (t - half)}}, b * (t - half));
-    });
-  };
-  EXPECT_EQ(lines(2), "no error");
-  EXPECT_NE(lines(3), "no error");
-}
-
-/// A pendulum whose pivot a formula of its own angle moves, by a driven coordinate or as the displacement itself.
-std::string refusal_of_slope(const std::function<Expression(const Expression& theta)>& formula, bool driven, bool heavy = true) {
-  Scene scene("pushed");
-  const Expression theta = scene.coordinate("theta", "rad"), x = scene.coordinate("x", "m");
-  if (driven) scene.drive(x, formula(theta));
-  const FrameHandle pivot = scene.prismatic("pivot", scene.ground(), axis::x, driven ? x : formula(theta) + 2 * x);
-  const FrameHandle arm = scene.revolute("arm", heavy ? pivot : scene.ground(), axis::y, theta);
-  scene.body("bob", arm, Inertia::point(kilograms("1")).at({0, 0, metres("-1")}));
-  if (!driven) scene.body("cart", scene.prismatic("cart", scene.ground(), axis::x, x), Inertia::point(kilograms("1")));
-  return refusal(scene);
-}
-
-TEST(LawOfACoordinate, IsRefusedWhereItsSlopeJumps) {
-  const auto bent = [](const Expression& theta) { return metres("0.3") * abs(theta); };
-  const std::string remedy = ", and the motion has no impulse for it; give a formula whose slope is continuous, as a spline is, "
-                             "or round the corner off, as sqrt(a^2 + b^2) does abs(a)";
-  EXPECT_EQ(refusal_of_slope(bent, true),
-            "coordinate 'x' is driven by the law 3/10*abs(theta): its slope along 'theta' jumps" + remedy);
-  EXPECT_EQ(refusal_of_slope(bent, false),
-            "the displacement of joint 'pivot' is (3/10*abs(theta) + 2*x): its slope along 'theta' jumps" + remedy);
-  const auto step = [](const Expression& theta) { return piecewise({{theta < 0, metres("0")}}, metres("0.3")); };
-  EXPECT_NE(refusal_of_slope(step, true).find(": that jumps along 'theta', and"), std::string::npos);
-  EXPECT_EQ(refusal_of_slope(bent, false, false), "no error");  // a frame that carries nothing
-}
-
-TEST(LawOfACoordinate, MayBendWhereItsSlopeIsContinuous) {
-  const std::vector<std::function<Expression(const Expression&)>> smooth{
-      [](const Expression& theta) { return metres("0.3") * theta * abs(theta); },
-      [](const Expression& theta) { return metres("0.3") * pow(max(theta, 1) - 1, 2); },
-      [](const Expression& theta) { return metres("0.3") * tanh(3 * theta); },
-      [](const Expression& theta) { return spline(theta, {{0, 0}, {1, 0.5}, {2, 0.25}}, "m"); },
-  };
-  for (const auto& formula : smooth) {
-    for (const bool driven : {true, false}) EXPECT_EQ(refusal_of_slope(formula, driven), "no error");
-  }
 }
 
 TEST(InitialAttitude, IsRefusedInAnotherUnit) {

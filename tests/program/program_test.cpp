@@ -135,6 +135,26 @@ TEST_F(ProgramTrigonometry, KnowsThatSineIsOddAndCosineEven) {
 
 using ProgramFolding = ProgramTest;
 
+// |x| has a slope at 0, which sqrt(x^2) has not, and x^2 has one that is right.
+TEST_F(ProgramFolding, TakesTheRootOfASquareWithoutARoot) {
+  const auto equal = [&](const Expression& root, const Expression& plain) {
+    EXPECT_EQ(lower(root).polynomial(), lower(plain).polynomial()) << root.to_string();
+  };
+  equal(sqrt(x * x), abs(x));
+  equal(sqrt(9 * pow(x + y, 2)), 3 * abs(x + y));
+  equal(sqrt(pow(x - y, 4)), pow(x - y, 2));
+  equal(sqrt(pow(x, 6)), abs(x) * x * x);
+  equal(sqrt(x * x / (y * y) * pow(z, -4)), abs(x / y) / (z * z));
+  equal(sqrt(2 * x * x), sqrt(Expression(2)) * abs(x));
+  equal(sqrt(pow(exp(x), 2)), exp(x));
+  const Expression length = make_symbol("l", "m");
+  EXPECT_EQ(lower(sqrt(pow(length, 2))).unit(), units::metre);
+  EXPECT_EQ(lower(sqrt(pow(length, 2) * pow(x, 2) * pow(length, 4))).unit(), units::metre.pow(3));
+  const Value other = lower(sqrt(x * x * y));
+  ASSERT_TRUE(other.value_number());
+  EXPECT_EQ(program[*other.value_number()].function, Function::sqrt);
+}
+
 TEST_F(ProgramFolding, FoldsWhatHasAnExactValue) {
   EXPECT_EQ(lower(sqrt(4_r / 9)).polynomial().constant(), Number::rational(2, 3));
   EXPECT_EQ(lower(sqrt(Expression(2))).polynomial().constant(), Number::sqrt2());

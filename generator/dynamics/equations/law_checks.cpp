@@ -25,24 +25,30 @@ ModelOptions with_values(const SceneContent& content) {
   return options;
 }
 
-bool selects(const Expression& formula) {
+/// Whether a function may have a kink or a jump: a root has one where what it is taken of touches zero, atan2 a cut.
+bool may_bend(Function function) {
+  return traits_of(function).selects || function == Function::sqrt || function == Function::atan2;
+}
+
+bool may_bend(const Expression& formula) {
   using Node = Expression::Node;
   const auto& content = formula.node().content;
-  if (const auto* sum = std::get_if<Node::Sum>(&content)) return selects(sum->left) || selects(sum->right);
-  if (const auto* product = std::get_if<Node::Product>(&content)) return selects(product->left) || selects(product->right);
-  if (const auto* power = std::get_if<Node::Power>(&content)) return selects(power->base);
-  if (const auto* rate = std::get_if<Node::Rate>(&content)) return selects(rate->formula);
+  if (const auto* sum = std::get_if<Node::Sum>(&content)) return may_bend(sum->left) || may_bend(sum->right);
+  if (const auto* product = std::get_if<Node::Product>(&content)) return may_bend(product->left) || may_bend(product->right);
+  if (const auto* power = std::get_if<Node::Power>(&content)) return may_bend(power->base);
+  if (const auto* rate = std::get_if<Node::Rate>(&content)) return may_bend(rate->formula);
   const auto* call = std::get_if<Node::Apply>(&content);
-  return call != nullptr && (traits_of(call->function).selects ||
-                             std::any_of(call->arguments.begin(), call->arguments.end(), selects));
+  return call != nullptr && (may_bend(call->function) ||
+                             std::any_of(call->arguments.begin(), call->arguments.end(),
+                                         [](const Expression& argument) { return may_bend(argument); }));
 }
 
 /// Most scenes have no such law.
-bool has_laws_that_select(const SceneContent& scene) {
+bool has_laws_that_may_bend(const SceneContent& scene) {
   return std::any_of(scene.coordinates.begin(), scene.coordinates.end(),
-                     [](const CoordinateContent& c) { return c.law && selects(*c.law); }) ||
+                     [](const CoordinateContent& c) { return c.law && may_bend(*c.law); }) ||
          std::any_of(scene.frames.begin(), scene.frames.end(),
-                     [](const FrameContent& frame) { return selects(frame.displacement); });
+                     [](const FrameContent& frame) { return may_bend(frame.displacement); });
 }
 
 class LawCheck {
@@ -62,12 +68,14 @@ class LawCheck {
  private:
   /// Refuses a displacement whose value or slope jumps along the time or a coordinate.
   void look(const FrameContent& frame, const SymbolPointer& along) {
-    const std::string jumping = what_jumps(frame.displacement, along);
+    // A full turn changes nothing: of an angle its sine and cosine are what must not jump.
+    const bool turns = frame.joint == JointKind::revolute;
+    const std::string jumping = what_jumps(frame.displacement, along, turns);
     if (jumping.empty()) return;
     const bool of_time = along == scene_.time;
     for (const CoordinateContent& c : scene_.coordinates) {
       if (!c.law || !follows(frame.displacement, c)) continue;
-      const std::string of_law = what_jumps(*c.law, along);
+      const std::string of_law = what_jumps(*c.law, along, turns && frame.displacement.as_symbol() == c.q);
       if (of_law.empty()) continue;
       refuse(fmt::format("coordinate '{}' is driven by the law {}", c.q->name, c.law->to_string()), of_law,
              of_time ? "give a law whose rate is continuous, as a spline is, or leave it an unknown with the condition "
@@ -112,41 +120,41 @@ class LawCheck {
     });
   }
 
-  bool selects_along(const Value& value, const SymbolPointer& along) const {
+  bool may_bend_along(const Value& value, const SymbolPointer& along) const {
     if (value.program() == nullptr || value.is_zero()) return false;
-    bool selects = false, depends = false;
+    bool bends = false, depends = false;
     for (const ValueNumber number : program_.live({value})) {
       const Definition& definition = program_[number];
       depends = depends || definition.symbol == along;
-      selects = selects || definition.function == Function::select || definition.function == Function::sign ||
-                definition.function == Function::abs || definition.function == Function::maximum;
+      bends = bends || (definition.function && may_bend(*definition.function));
     }
-    return selects && depends;
-  }
-
-  /// A form that coordinates take part in choosing bends along these too, and is none of time.
-  bool is_chosen_by_time(const Value& value) {
-    for (const ValueNumber number : program_.live({value})) {
-      const Definition definition = program_[number];
-      if (definition.function != Function::select && definition.function != Function::sign) continue;
-      for (const ValueNumber of : program_.live({program_.argument(definition, 0)})) {
-        const SymbolPointer& symbol = program_[of].symbol;
-        if (!symbol || symbol == scene_.time || symbol->kind == SymbolKind::parameter || symbol->kind == SymbolKind::pi) continue;
-        return false;
-      }
-    }
-    return true;
+    return bends && depends;
   }
 
   /// Empty where neither the formula nor its slope does.
-  std::string what_jumps(const Expression& formula, const SymbolPointer& along) {
+  std::string what_jumps(const Expression& formula, const SymbolPointer& along, bool turns) {
     const Value value = program_.lower(formula);
-    if (!selects_along(value, along)) return "";
+    if (!may_bend_along(value, along)) return "";
     const bool of_time = along == scene_.time;
-    if (jumps_along(value, along)) return of_time ? "that jumps" : fmt::format("that jumps along '{}'", along->name);
+    std::vector<Value> what{value};
+    if (turns) what = {program_.sin(value), program_.cos(value)};
+    if (const auto place = place_of_jump(what, along, Deciding::any)) {
+      return of_time ? "that jumps" + at_time(what, *place) : fmt::format("that jumps along '{}'", along->name);
+    }
+    // A form that coordinates take part in choosing bends along these too, and is none of time.
     const Value slope = partial_derivation(program_, along)(value);
-    if (slope.is_zero() || (of_time && !is_chosen_by_time(slope)) || !jumps_along(slope, along)) return "";
-    return of_time ? "its rate jumps" : fmt::format("its slope along '{}' jumps", along->name);
+    const auto place = place_of_jump({slope}, along, of_time ? Deciding::alone : Deciding::any);
+    if (!place) return "";
+    return of_time ? "its rate jumps" + at_time({slope}, *place) : fmt::format("its slope along '{}' jumps", along->name);
+  }
+
+  /// Where it is the same in every motion.
+  std::string at_time(const std::vector<Value>& what, double place) const {
+    for (const ValueNumber number : program_.live(what)) {
+      const SymbolPointer& symbol = program_[number].symbol;
+      if (symbol && symbol->kind == SymbolKind::coordinate) return "";
+    }
+    return fmt::format(" at t = {:.6g} s", place);
   }
 
   [[noreturn]] static void refuse(const std::string& what, const std::string& jumping, const char* remedy) {
@@ -164,7 +172,7 @@ class LawCheck {
 }  // namespace
 
 void check_laws(const Scene& scene) {
-  if (has_laws_that_select(scene.content())) LawCheck(scene).run();
+  if (has_laws_that_may_bend(scene.content())) LawCheck(scene).run();
 }
 
 }  // namespace torsor
