@@ -180,6 +180,10 @@ class ContactSimulation {
   }
 
   void tell(const runtime::ContactEvent& event) {
+    if (event.kind == ContactEventKind::impact && result_.rows.empty() && result_.before.empty()) {
+      result_.before.assign(1, 0.0);
+      for (std::size_t i = 0; i < record_.numbers; ++i) result_.before.push_back(event.before[i]);
+    }
     std::string text = fmt::format("{} {} at t = {:.15g} s", word_of(event.kind, contacts_.rule(event.contact).normal),
                                    contacts_.name(event.contact), event.time);
     if (event.energy_lost != 0) text += fmt::format(", energy lost {:.6g} J", event.energy_lost);

@@ -55,20 +55,30 @@ void check_command_name(const CLI::App& app, int argc, const char* const* argv) 
       fmt::format("unknown command '{}': {}use {} or {}; see --help", argv[1], likely, fmt::join(names, ", "), last));
 }
 
-/// "; did you mean '--output'?" for the first option on the command line that the chosen command does not know.
-std::string likely_options(const CLI::App& app, int argc, const char* const* argv) {
-  if (argv[1][0] == '-') return "; options of a command stand behind its name";
+/// The first option on the command line that the chosen command does not know, and the one that may be meant.
+struct UnknownOption {
+  std::string word, likely{};  ///< "; did you mean '--output'?", or empty
+};
+
+std::optional<UnknownOption> unknown_option(const CLI::App& app, int argc, const char* const* argv) {
+  if (argc < 2 || argv[1][0] == '-') return std::nullopt;
   std::vector<std::string> known;
   for (const CLI::Option* option : app.get_subcommand(argv[1])->get_options()) {
     for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
   }
   for (int i = 2; i < argc; ++i) {
     const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
-    if (word.rfind("--", 0) != 0 || std::find(known.begin(), known.end(), word) != known.end()) continue;
+    if (word.rfind("--", 0) != 0 || word == "--" || std::find(known.begin(), known.end(), word) != known.end()) continue;
     const std::string likely = did_you_mean(word, known);
-    return likely.empty() ? likely : "; " + likely.substr(0, likely.size() - 1);
+    return UnknownOption{word, likely.empty() ? likely : "; " + likely.substr(0, likely.size() - 1)};
   }
-  return {};
+  return std::nullopt;
+}
+
+std::string likely_options(const CLI::App& app, int argc, const char* const* argv) {
+  if (argv[1][0] == '-') return "; options of a command stand behind its name";
+  const std::optional<UnknownOption> unknown = unknown_option(app, argc, argv);
+  return unknown ? unknown->likely : std::string();
 }
 
 /// Reads the command line. Nothing: the chosen command is to be run; else the help that was asked for.
@@ -82,6 +92,11 @@ std::optional<std::string> read_command_line(CLI::App& app, int argc, const char
     return text.str();
   } catch (const CLI::ExtrasError& error) {
     throw UsageError(fmt::format("{}{}; see --help", error.what(), likely_options(app, argc, argv)));
+  } catch (const CLI::RequiredError& error) {
+    // A misspelt option may be what is missing.
+    const std::optional<UnknownOption> unknown = unknown_option(app, argc, argv);
+    throw UsageError(unknown ? fmt::format("unknown option '{}'{}; see --help", unknown->word, unknown->likely)
+                             : fmt::format("{}; see --help", error.what()));
   } catch (const CLI::ParseError& error) {
     throw UsageError(fmt::format("{}; see --help", error.what()));
   }

@@ -33,6 +33,7 @@ inline constexpr std::array<const char*, 4> impact_law_names{"newton_moreau", "p
 struct Simulation {
   std::vector<std::string> names, units;  ///< of the columns: time, positions, velocities, energies, first integrals
   std::vector<std::vector<double>> rows;
+  std::vector<double> before;             ///< an impact at the start: the row of the state that it struck, without energies
   std::string status;                     ///< empty: the end was reached, or an event that ends the motion
   std::vector<std::string> events;        ///< what was met, a line each
   std::vector<std::string> remarks;       ///< of the whole motion

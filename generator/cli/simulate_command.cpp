@@ -69,10 +69,12 @@ NamedNumbers with_unit_quaternions(const Scene& scene, NamedNumbers given, std::
 /// all. That a closed start is typed in few digits is no news.
 std::string moved_start(const Simulation& motion, const NamedNumbers& given) {
   std::vector<std::string> moved;
-  for (std::size_t i = 0; i < motion.names.size() && !motion.rows.empty(); ++i) {
+  std::vector<double> start = motion.before;
+  if (start.empty() && !motion.rows.empty()) start = motion.rows[0];
+  for (std::size_t i = 0; i < std::min(motion.names.size(), start.size()); ++i) {
     const auto asked = given.find(motion.names[i]);
-    if (asked == given.end() || std::abs(motion.rows[0][i] - asked->second) <= 1e-3 * (1 + std::abs(asked->second))) continue;
-    moved.push_back(fmt::format("{} = {:.6g} instead of {:.6g}", asked->first, motion.rows[0][i], asked->second));
+    if (asked == given.end() || std::abs(start[i] - asked->second) <= 1e-3 * (1 + std::abs(asked->second))) continue;
+    moved.push_back(fmt::format("{} = {:.6g} instead of {:.6g}", asked->first, start[i], asked->second));
   }
   if (moved.empty()) return {};
   return fmt::format("the constraints do not allow what --initial gives: the motion starts at {}", fmt::join(moved, ", "));

@@ -87,6 +87,14 @@ TEST(DidYouMeanCommand, AnswersNamesInScenes) {
       "rad");
 }
 
+// Where an option is missing, a misspelt one is told first.
+TEST(DidYouMeanCommand, TellsAMisspeltOptionBeforeOneThatIsMissing) {
+  const Outcome outcome = run(named, {"generate", "--kernals", "bias"});
+  const std::string told = "unknown option '--kernals'; did you mean '--kernels'?; see --help";
+  EXPECT_NE(outcome.err.find(told), std::string::npos) << outcome.err;
+  EXPECT_NE(run(named, {"generate", "--kernels", "bias"}).err.find("--output is required"), std::string::npos);
+}
+
 TEST(DidYouMeanCommand, SuggestsNothingWhereNothingIsNear) {
   const Outcome outcome = run(named, {"counts", "--run-time", "stiffness"});
   EXPECT_EQ(outcome.err.find("did you mean"), std::string::npos) << outcome.err;

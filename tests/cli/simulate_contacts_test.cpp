@@ -72,6 +72,21 @@ Scene stopped_loop() {
   return scene;
 }
 
+// The ball strikes the floor as the motion starts: no constraint takes its velocity, an impact does.
+TEST(SimulateContacts, TellAnImpactAtTheStartAsOne) {
+  const Outcome outcome = run(dropped, {"simulate", "--to", "0.1", "--initial", "z=0,z'=-1"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(table(outcome.out).at(0, "z'"), 0.5);
+  EXPECT_EQ(outcome.err.find("constraints"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("event: impact of floor at t = 0 s, energy lost 0.75 J"), std::string::npos) << outcome.err;
+  // What loops take is told all the same.
+  const Outcome loop = run(stopped_loop, {"simulate", "--to", "0.01", "--initial", "a=1.4,b=-1.4,c=1.4,a'=1,b'=0,c'=1"});
+  const std::string told = "the constraints do not allow what --initial gives: the motion starts at ";
+  EXPECT_NE(loop.err.find(told), std::string::npos) << loop.err;
+  EXPECT_NE(loop.err.find("b' = "), std::string::npos) << loop.err;
+  EXPECT_EQ(loop.err.find("a' = -"), std::string::npos) << loop.err;
+}
+
 TEST(SimulateContacts, SayWhereTheirToleranceIsCoarseBesideTheMotion) {
   const Outcome small = run(dropped, {"simulate", "--to", "0.001", "--step", "0.001", "--initial", "z=1e-6"});
   EXPECT_NE(small.err.find("coordinates in m stay below 1.0e-06"), std::string::npos) << small.err;
