@@ -148,7 +148,7 @@ enum {
   torsor_motion_without_memory = 16,
   torsor_motion_jams = 17, /* a contact that slides: the equations become singular, and what follows is not determined */
   torsor_motion_change_point = 18, /* constraints of loops lose rank, and a contact moves there: the motion does not pass it */
-  torsor_motion_no_point = 19, /* a contact has no single point or normal (a flat disc), or it jumps along its normal */
+  torsor_motion_no_point = 19, /* a contact has no single point or normal (a flat disc), or its gap, or its rate, falls by a jump */
   torsor_motion_zero_quaternion = 20 /* the start has a quaternion of zeros: no attitude. Others are given norm 1 first */
 };
 

@@ -21,7 +21,8 @@ MOTION_STATUSES = ("reached the end time", "stopped", "unusable options: times, 
                    "the energetic law of impact is one of a single contact, and several touch", "no memory",
                    "a contact that slides jams: the equations become singular, and what follows is not determined",
                    "the constraints of loops lose rank here, a change point: a motion with contacts does not pass it",
-                   "a contact has no single point or normal here, as a disc that lies flat, or its gap or its surface jumps along the normal",
+                   "a contact has no single point or normal here, as a disc that lies flat, or its gap, or the rate of its gap, "
+                   "falls by a jump",
                    "a quaternion of the start is zero: it has no direction")
 
 

@@ -217,21 +217,23 @@ bool ContactAutomaton::strike(int contact) {
   return done;
 }
 
-// What leaves an edge has nothing under it: no law is asked. What would fall below a surface there, or meets a wall,
-// ends the motion.
+// What leaves an edge has nothing under it, and neither has what rides over a ridge: no law is asked. What would fall below a
+// surface there, or meets a wall, ends the motion.
 bool ContactAutomaton::pass_edge(int contact, double t, std::span<double> y) {
   result_.time = t;
   y_ = y;
   motion_.leave_change_point();
   ends_too_.fill(false);
   std::copy_n(y.begin(), before_.size(), before_.begin());
-  const std::optional<double> later = motion_.pass_edge(contact, t, y);
+  std::optional<double> later = motion_.pass_edge(contact, t, y);
+  if (!later) later = motion_.pass_ridge(contact, t, y);
   if (!later) return pass_jump_of_slip(contact, t);
   result_.time = told_ = t + *later;
   for (int i = 0; i < count(); ++i) {
     const bool touches = motion_.rule(i).normal && motion_.states[as(i)].touches;
-    if (i == contact || !touches || !motion_.off_by_a_jump(i, *later)) continue;
-    if (motion_.reading().gap[as(i)] < 0) return end(ContactStatus::no_point, i);
+    const bool off = touches && motion_.off_by_a_jump(i, *later), turned = touches && motion_.normal_has_jumped(i);
+    if (i == contact || !(off || turned)) continue;
+    if (off ? motion_.reading().gap[as(i)] < 0 : !motion_.parts_by_a_jump(i)) return end(ContactStatus::no_point, i);
     ends_too_[as(i)] = true;
     ++result_.events;
   }

@@ -42,6 +42,11 @@ class ContactMotion {
   [[nodiscard]] Evaluation hold(double t, std::span<double> y);
   /// Where the integration is going: one that cannot go on ends within roundings of the time and of the way that is left.
   void head_for(double end) noexcept { end_ = end; }
+  /// Whether the normal velocity of a contact that touches, at the state read last, parts it, and is none of the errors of the
+  /// integration.
+  [[nodiscard]] bool parts_by_a_jump(int i) const noexcept {
+    return normal_has_jumped(i) && reading_.w(first_row(i)) > 0;
+  }
   /// The contact whose normal, gap or surface jumps within a million roundings of the time behind t, by the step refused last.
   [[nodiscard]] std::optional<int> jumping(double t) const noexcept {
     const bool near = std::abs(jumped_ - t) <= 1e6 * rounding_of_time(jumped_);
@@ -53,6 +58,8 @@ class ContactMotion {
   /// Where the gap of a contact that touches rises by a jump right behind t, as over the edge of a table: takes the
   /// state there in the present regimes. Says how much later that is; nothing where no gap rises so.
   [[nodiscard]] std::optional<double> pass_edge(int i, double t, std::span<double> y);
+  /// The same where the rate of the gap rises by a jump, as over the peak of a cam.
+  [[nodiscard]] std::optional<double> pass_ridge(int i, double t, std::span<double> y);
   /// Steps have ended within a million roundings of the time before a jump: takes the state right behind it, in the present
   /// regimes, and says how much later that is; nothing where `is_beyond(later, state)` is so of none.
   template <class Beyond>

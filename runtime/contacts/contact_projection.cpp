@@ -244,6 +244,12 @@ std::optional<double> ContactMotion::pass_edge(int i, double t, std::span<double
   });
 }
 
+std::optional<double> ContactMotion::pass_ridge(int i, double t, std::span<double> y) {
+  return pass_to(t, y, [&](double later, std::span<const double> there) {
+    return read(t + later, there) && parts_by_a_jump(i);
+  });
+}
+
 // The gap's change where it passes zero on the way from the last step's end: 2^-40 of all of it where that is smooth.
 std::optional<int> ContactMotion::falls_by_a_jump(double t, std::span<const double> y) {
   if (!followed_ || !read(t, y)) return std::nullopt;

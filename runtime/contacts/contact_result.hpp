@@ -28,7 +28,7 @@ enum class ContactStatus : int {
   law_of_one_contact,  ///< the energetic law of impact, and several contacts struck at once
   no_room,      ///< ContactRun has room for fewer numbers or contacts than the mechanism has
   change_point,  ///< constraints of loops lose rank
-  /// A contact has no single point or normal here, as a disc that lies flat, or its gap or its surface jumps along the normal.
+  /// A contact has no single point or normal here, as a disc that lies flat, or its gap falls by a jump, or its rate does.
   no_point,
   invalid_options,  ///< an end before the start, or a step, theta, touch, at_rest, accumulation or law that cannot be
   zero_quaternion,  ///< the start has a quaternion of zeros
@@ -64,8 +64,9 @@ enum class ContactStatus : int {
       return "the constraints of loops lose rank here, a change point, where branches of a loop meet: the motion does not "
              "pass it";
     case ContactStatus::no_point:
-      return "a contact has no single point or normal here, as the lowest point of a disc that lies flat, or its gap or its "
-             "surface jumps along the normal: begin beside such a state, or describe the surface by points";
+      return "a contact has no single point or normal here, as the lowest point of a disc that lies flat, or its gap falls by "
+             "a jump, as at a wall, or the rate of its gap does, as in a valley with a kink, for which no law gives an impulse: "
+             "begin beside such a state, round the surface off, or describe it by points";
     case ContactStatus::invalid_options:
       return "the motion is asked for what cannot be: its end is not before its start, steps are above 0, theta is from 0 to 1, "
              "touch, at_rest and accumulation are at least 0, the law is one of the four, and none is NaN";

@@ -33,10 +33,12 @@ constexpr Translation french_of_contacts[] = {
     {"the constraints of loops lose rank here, a change point, where branches of a loop meet: the motion does not pass it",
      "les liaisons des boucles perdent leur rang ici, un point de bifurcation, où des branches d'une boucle se rencontrent : le mouvement ne "
      "le passe pas"},
-    {"a contact has no single point or normal here, as the lowest point of a disc that lies flat, or its gap or its surface "
-     "jumps along the normal: begin beside such a state, or describe the surface by points",
-     "un contact n'a pas de point ou de normale unique ici, comme le point le plus bas d'un disque à plat, ou sa distance ou sa surface saute suivant la normale : "
-     "partir à côté d'un tel état, ou décrire la surface par des points"},
+    {"a contact has no single point or normal here, as the lowest point of a disc that lies flat, or its gap falls by a jump, "
+     "as at a wall, or the rate of its gap does, as in a valley with a kink, for which no law gives an impulse: begin beside "
+     "such a state, round the surface off, or describe it by points",
+     "un contact n'a pas de point ou de normale unique ici, comme le point le plus bas d'un disque à plat, ou sa distance "
+     "diminue d'un saut, comme devant un mur, ou sa vitesse d'écartement, comme au fond d'un angle, pour quoi aucune loi ne "
+     "donne de percussion : partir à côté d'un tel état, arrondir la surface, ou la décrire par des points"},
     {"the motion is asked for what cannot be: its end is not before its start, steps are above 0, theta is from 0 to 1, touch, "
      "at_rest and accumulation are at least 0, the law is one of the four, and none is NaN",
      "le mouvement demandé est impossible : sa fin ne précède pas son départ, les pas sont positifs, theta est entre 0 et 1, touch, "
