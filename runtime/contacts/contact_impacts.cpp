@@ -155,6 +155,8 @@ bool ContactAutomaton::strike(int contact) {
   if (motion_.solve(result_.time, y_) != Evaluation::ok) return end(ContactStatus::integration_failed, contact);
   if (motion_.gap_jumps(contact)) return end(ContactStatus::no_point, contact);
   Bounces& bounces = bounces_[as(contact)];
+  // Late bounces end by the rounding of the gap, whose lengths may have grown since the start.
+  if (bounces.slower > 3 && (bounces.slower & (bounces.slower - 1)) == 0) (void)motion_.gaps_are_rougher();
   const double speed = std::abs(motion_.reading().w(motion_.first_row(contact)));
   const double rounding = motion_.rounding_of_gap(contact);
   // A floor may fall faster than a body on it for so short a time that the gap opens by less than its rounding: it strikes

@@ -169,6 +169,8 @@ class ContactMotion {
   [[nodiscard]] double acceleration_terms(int i) const noexcept;
   /// For each row, the largest of these of the normal rows that act on it, open contacts among them.
   [[nodiscard]] ContactVector acceleration_sizes() const;
+  /// Measures the rounding of gaps anew at the state read last; whether it has grown: what seemed to be more was none.
+  [[nodiscard]] bool gaps_are_rougher() { return gap_rounding_.measure_anew(t_, y_); }
   /// What rounding may make of a gap, of the coordinates that it depends on and of its own lengths.
   [[nodiscard]] double rounding_of_gap(int i) const noexcept;
 
@@ -282,7 +284,7 @@ class ContactMotion {
   double regularity_ = 1;
   double t_ = 0, absolute_ = 1e-13, relative_ = 1e-13;
   std::vector<double> y_, there_, rates_;
-  GapRounding gap_rounding_;  ///< of lengths, as measured at the start
+  GapRounding gap_rounding_;  ///< of lengths, as measured at the start, and anew where a gap seems to jump
   std::vector<double> way_;   ///< rates at an edge
   std::vector<double> from_;  ///< the state at `from_t_`, where slips were followed last
   double from_t_ = 0;

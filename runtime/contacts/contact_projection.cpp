@@ -130,10 +130,12 @@ Evaluation ContactMotion::hold(double t, std::span<double> y) {
       if (turns && jumps(t, y, velocity)) return jumps_at(i, t);
     }
     if (!rule(i).normal) continue;
-    const double place = rounding_of_gap(i) / std::numeric_limits<double>::epsilon();
-    const bool moves = std::abs(reading_.gap[as(i)]) > 16 * (absolute_ + relative_ * place);
+    const auto moves = [&] {
+      const double place = rounding_of_gap(i) / std::numeric_limits<double>::epsilon();
+      return std::abs(reading_.gap[as(i)]) > 16 * (absolute_ + relative_ * place);
+    };
     const auto gap = [i](const ContactReading& reading) { return reading.gap[as(i)]; };
-    if (moves && jumps(t, y, gap)) return jumps_at(i, t);
+    if (moves() && jumps(t, y, gap) && (!gaps_are_rougher() || moves())) return jumps_at(i, t);
   }
   return project(t, y);
 }
@@ -204,7 +206,8 @@ bool ContactMotion::gap_jumps(int i) {
   mechanism_.coordinate_rates(t_, y_, rates_);
   for (std::size_t k = 0; k < there_.size(); ++k) there_[k] = k < nq ? y_[k] + later * rates_[k] : y_[k];
   mechanism_.normalise(there_);
-  return mechanism_.read(t_ + later, there_, later_reading_) == Evaluation::ok && !(later_reading_.gap[as(i)] > gap / 2);
+  if (mechanism_.read(t_ + later, there_, later_reading_) != Evaluation::ok) return false;
+  return !(later_reading_.gap[as(i)] > gap / 2) && (!gaps_are_rougher() || gap_jumps(i));
 }
 
 std::optional<int> ContactMotion::without_point(double t, std::span<const double> y) {
@@ -267,7 +270,8 @@ std::optional<int> ContactMotion::falls_by_a_jump(double t, std::span<const doub
       (gap > 0 ? low : high) = middle;
       (gap > 0 ? above : below) = gap;
     }
-    if (above - below > 1e-6 * all + 1e4 * rounding_of_gap(i)) return i;
+    const auto jumps = [&] { return above - below > 1e-6 * all + 1e4 * rounding_of_gap(i); };
+    if (jumps() && (!gaps_are_rougher() || jumps())) return i;
   }
   return std::nullopt;
 }

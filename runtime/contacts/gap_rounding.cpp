@@ -26,7 +26,7 @@ GapRounding::GapRounding(const ContactMechanism& mechanism) : mechanism_(mechani
   moved_ = y_;
   rates_.resize(as(sizes.coordinates));
   rounding_.resize(first_row_.size());
-  ahead_ = behind_ = rounding_;
+  ahead_ = behind_ = before_ = rounding_;
   follows_.resize(first_row_.size());
 }
 
@@ -36,6 +36,17 @@ bool GapRounding::displaced(double t, double h, std::vector<double>& gaps) {
   if (mechanism_.read(t, moved_, there_) != Evaluation::ok) return false;
   std::copy_n(there_.gap.begin(), gaps.size(), gaps.begin());
   return true;
+}
+
+bool GapRounding::measure_anew(double t, std::span<const double> y) {
+  before_ = rounding_;
+  measure(t, y);
+  bool grown = false;
+  for (std::size_t i = 0; i < rounding_.size(); ++i) {
+    grown = grown || rounding_[i] > 2 * before_[i];
+    rounding_[i] = std::max(rounding_[i], before_[i]);
+  }
+  return grown;
 }
 
 void GapRounding::measure(double t, std::span<const double> y) {

@@ -17,6 +17,9 @@ class GapRounding {
 
   /// Reads the mechanism at time t some thirteen times, without allocation. Zero where the gap cannot be read there.
   void measure(double t, std::span<const double> y);
+  /// The same beside what was measured before, of which the larger counts: lengths may have grown since, as places that a law of
+  /// time moves away. Whether any is more than twice as large.
+  bool measure_anew(double t, std::span<const double> y);
   /// What rounding makes of a gap whose rate is this row times the velocities: of its lengths, or of the coordinates.
   [[nodiscard]] double operator()(int contact, const Eigen::Ref<const Eigen::RowVectorXd, 0, Eigen::InnerStride<>>& rates,
                                   std::span<const double> y) const noexcept {
@@ -30,7 +33,7 @@ class GapRounding {
   const ContactMechanism& mechanism_;
   std::vector<int> first_row_;  ///< of each contact, and the number of all; -1 where it has no normal
   ContactReading here_, there_;
-  std::vector<double> y_, moved_, rates_, ahead_, behind_, rounding_;
+  std::vector<double> y_, moved_, rates_, ahead_, behind_, rounding_, before_;
   std::vector<bool> follows_;
 };
 

@@ -163,5 +163,36 @@ TEST(ClosedGaps, OfLengthsThatCancelComeToRest) {
   }
 }
 
+/// A ball on a lift that goes up at a constant speed, x from where it lies on it: the gap is the ball's height above the ground
+/// less the floor's, which no coordinate shows.
+ByHand<1, 1, 1> ball_on_lift(double e, double speed) {
+  return {{ContactRule{.tangents = 0, .restitution = e}}, [speed](double t, const auto& y, auto& r) {
+            const volatile double floor = speed * t, height = floor + y[0];
+            r.M(0, 0) = 1;
+            r.F(0) = -g;
+            r.gap[0] = height - floor;
+            r.J(0, 0) = 1;
+            r.w(0) = y[1];
+            r.drift(0) = 0;
+          }};
+}
+
+// The rounding of the gap grows with the way. What was measured at the start, nothing, was taken for all of it, and the motion
+// said to meet a jump.
+TEST(ClosedGaps, OfPlacesThatMoveAwayComeToRest) {
+  for (const double speed : {1e3, 1e5, 1e6}) {
+    for (const double e : {0.0, 0.5}) {
+      SCOPED_TRACE(testing::Message() << "speed " << speed << ", e " << e);
+      std::array<double, 2> y{1, 0};
+      const DormandPrince853 method{.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12};
+      const ContactResult result = integrate_contacts(ball_on_lift(e, speed), y, 0, 20, method);
+      ASSERT_TRUE(result) << describe(result.status) << " at " << result.time;
+      EXPECT_NEAR(y[0], 0, 64 * epsilon * speed * 20);
+      EXPECT_EQ(y[1], 0);
+      EXPECT_LE(result.events, 60);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace closed_gaps_test
