@@ -149,7 +149,9 @@ enum {
   torsor_motion_jams = 17, /* a contact that slides: the equations become singular, and what follows is not determined */
   torsor_motion_change_point = 18, /* constraints of loops lose rank, and a contact moves there: the motion does not pass it */
   torsor_motion_no_point = 19, /* a contact has no single point or normal (a flat disc), or its gap, or its rate, falls by a jump */
-  torsor_motion_zero_quaternion = 20 /* the start has a quaternion of zeros: no attitude. Others are given norm 1 first */
+  torsor_motion_zero_quaternion = 20, /* the start has a quaternion of zeros: no attitude. Others are given norm 1 first */
+  torsor_motion_no_impact = 21, /* no impulses fulfil the law of impact, or its collisions have no end: choose another law */
+  torsor_motion_regimes_not_found = 22 /* of contacts; they are too many to try all */
 };
 
 typedef struct torsor_method {

@@ -23,7 +23,10 @@ MOTION_STATUSES = ("reached the end time", "stopped", "unusable options: times, 
                    "the constraints of loops lose rank here, a change point: a motion with contacts does not pass it",
                    "a contact has no single point or normal here, as a disc that lies flat, or its gap, or the rate of its gap, "
                    "falls by a jump",
-                   "a quaternion of the start is zero: it has no direction")
+                   "a quaternion of the start is zero: it has no direction",
+                   "no impulses fulfil the law of impact, or its collisions have no end: choose another law, or a smaller "
+                   "restitution",
+                   "no regimes of contacts were found, and they are too many to try all: begin beside such a state")
 
 
 class Motion(NamedTuple):

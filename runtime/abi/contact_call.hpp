@@ -60,6 +60,8 @@ static_assert(static_cast<int>(ImpactLaw::newton_moreau) == torsor_impact_newton
     case ContactStatus::change_point: return torsor_motion_change_point;
     case ContactStatus::no_point: return torsor_motion_no_point;
     case ContactStatus::zero_quaternion: return torsor_motion_zero_quaternion;
+    case ContactStatus::no_impact: return torsor_motion_no_impact;
+    case ContactStatus::not_found: return torsor_motion_regimes_not_found;
     case ContactStatus::integration_failed: break;
   }
   if (result.integration_event == EventStatus::integration_failed) {

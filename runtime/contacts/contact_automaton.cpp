@@ -242,7 +242,7 @@ bool ContactAutomaton::decide(std::optional<int> forced, Cause cause) {
       chosen.problem.law(0).slips) {
     return impact_of_slip(chosen.who[0]);
   }
-  if (!answer) return end(ContactStatus::no_solution, forced.value_or(chosen.who[0]));
+  if (!answer) return end(status_without_regimes(answer.verdict), forced.value_or(chosen.who[0]));
   if (answer.verdict == ContactVerdict::several) ++result_.ambiguous;
   if (answer.best().indeterminate) ++result_.indeterminate;
   residual_ = std::max(residual_, answer.best().residual);

@@ -92,7 +92,8 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
   const ImpactResult shock = impact(problem, restitution, impact_law);
   result_.verdict = shock.verdict;
   if (!shock.applies) return end(ContactStatus::law_of_one_contact, cause);
-  if (shock.verdict == ContactVerdict::none) return end(ContactStatus::no_solution, cause);
+  if (shock.verdict == ContactVerdict::none) return end(ContactStatus::no_impact, cause);
+  if (without_solution(shock.verdict)) return end(ContactStatus::not_found, cause);
   residual_ = shock.residual;
   result_.worst_residual = std::max(result_.worst_residual, residual_);
   impulses_ = chosen.spread(shock.P, motion_.rows());

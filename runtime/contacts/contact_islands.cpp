@@ -42,7 +42,7 @@ void join(const ContactSelection& part, const ContactAnswer& found, ContactAnswe
     other = before;
     put(part, found.solutions[j], other);
   }
-  all.verdict = std::max(all.verdict, found.verdict);
+  all.verdict = verdict_of_both(all.verdict, found.verdict);
 }
 
 }  // namespace

@@ -27,20 +27,31 @@ ContactAnswer ContactIteration::run() noexcept {
   return regimes.finish();
 }
 
-// Where rest is possible a motion may be as well. Steps from no reactions come to rest where friction is large, though the
-// regimes of a motion with less friction hold too: from those of less and less of it the first other motion is taken.
+// Where all or some can rest a motion may be as well. Steps from no reactions come to rest where friction is large, though the
+// regimes of a motion with less friction hold too: from those of less and less of it the first other motion is taken. From those
+// of more of it, what can rest may be held where steps from nothing let it go.
 ContactAnswer ContactIteration::solve() noexcept {
-  RegimeEnumeration regimes(problem_);
+  RegimeEnumeration regimes(problem_), of_parts(problem_);
   const bool rest = rests(regimes);
+  RegimeEnumeration& proposals = rest ? regimes : of_parts;
   bool rubs = false;
-  for (int i = 0; i < problem_.count; ++i) rubs = rubs || problem_.law(i).rubs();
+  for (int i = 0; i < problem_.count; ++i) rubs = rubs || (problem_.law(i).rubs() && !problem_.law(i).slips);
   r_.setZero(problem_.rows());
-  bool other = step_together(problem_, regimes, 6400);
+  (void)step_together(problem_, proposals, 6400);
+  if (!rest && rubs) hold_what_rests(proposals);
   double part = 1;
-  for (int less = 0; rest && rubs && !other && less < 8; ++less) {
-    other = step_together(with_friction(problem_, part *= 0.8), regimes, 800);
+  for (int less = 0; rubs && proposals.only_rests() && less < (rest ? 8 : 4); ++less) {
+    r_.setZero();
+    (void)step_together(with_friction(problem_, part *= 0.8), proposals, 800);
   }
-  if (!rest && !other) {
+  if (rest) return regimes.finish();
+  // What rests does so on all of its contacts.
+  const ContactAnswer found = of_parts.finish();
+  for (std::size_t k = 0; k < found.count; ++k) {
+    r_ = found.solutions[k].r;
+    if (!tries(problem_, regimes)) regimes.take(found.solutions[k]);
+  }
+  if (found.count == 0) {
     r_.setZero(problem_.rows());
     sweep_until(regimes);
   }
@@ -63,10 +74,18 @@ bool ContactIteration::rests(RegimeEnumeration& regimes) const noexcept {
   return regimes.try_from(closed);
 }
 
-// Steps of all contacts at once, r = the projection of r - ρ u on what the laws allow, from no reactions. They do not depend on
-// the order of contacts. ρ is one over the sum of sizes in the row of W, which makes them converge where W is all: D - W is
-// positive semidefinite. Whether the regimes of a motion that is not yet known were found. They are looked at after 200 steps, and
-// after twice as many, up to the longest run.
+// Where not all can rest a part may: with more friction steps hold all that may stick, and from these reactions, with the
+// friction that there is, they go on to hold what can be held.
+void ContactIteration::hold_what_rests(RegimeEnumeration& proposals) noexcept {
+  r_.setZero();
+  (void)step_together(with_friction(problem_, 8), proposals, 400);
+  if (r_.allFinite()) (void)step_together(problem_, proposals, 800);
+}
+
+// Steps of all contacts at once, r = the projection of r - ρ u on what the laws allow. They do not depend on the order of
+// contacts. ρ is one over the sum of sizes in the row of W, which makes them converge where W is all: D - W is positive
+// semidefinite. Whether the regimes of a motion that is not yet known were found. They are looked at after 200 steps, and after
+// twice as many, up to the longest run.
 bool ContactIteration::step_together(const ContactProblem& problem, RegimeEnumeration& regimes, int longest) noexcept {
   const int rows = problem.rows();
   ContactVector rho = ContactVector::Zero(rows), u(rows), before(rows);
@@ -76,7 +95,6 @@ bool ContactIteration::step_together(const ContactProblem& problem, RegimeEnumer
   }
   PerContact<int> first{};  // its first tangential row
   for (int i = 0; i < problem.count; ++i) first[as(i)] = problem.tangent_row(i);
-  r_.setZero(rows);
   for (int steps = 200; steps <= longest; steps *= 2) {
     bool moves = true;
     for (int step = 1; step <= steps && moves; ++step) {

@@ -21,8 +21,8 @@ class ContactIteration {
   /// Goes on from the start to one solution.
   [[nodiscard]] ContactAnswer run() noexcept;
 
-  /// Solutions whatever the start and the order of contacts: rest, where reactions exist that hold it, and a motion, where one
-  /// is found. Sweeps follow where there is neither.
+  /// Solutions whatever the start and the order of contacts: rest, where reactions exist that hold it, or else rest of a part,
+  /// and a motion, where one is found. Sweeps follow where there is none of these.
   [[nodiscard]] ContactAnswer solve() noexcept;
 
  private:
@@ -31,6 +31,7 @@ class ContactIteration {
   static std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
 
   [[nodiscard]] bool rests(RegimeEnumeration& regimes) const noexcept;
+  void hold_what_rests(RegimeEnumeration& proposals) noexcept;
   [[nodiscard]] bool step_together(const ContactProblem& problem, RegimeEnumeration& regimes, int longest) noexcept;
   void step_one(const ContactProblem& problem, int contact, int tangent, const ContactVector& u,
                 const ContactVector& rho) noexcept;

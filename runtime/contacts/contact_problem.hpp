@@ -142,8 +142,19 @@ struct ContactSolution {
   bool moves = false;          ///< other reactions of these regimes give other motions
 };
 
-/// How many solutions a problem has.
-enum class ContactVerdict { unique, indeterminate, several, none };
+/// How many solutions a problem has. Where not all motions were looked for, one that was found may be one of several, and one
+/// may have been missed where none was found.
+enum class ContactVerdict { unique, indeterminate, several, none, not_examined, not_found };
+
+/// What is known of two problems that are solved one after the other, or beside each other.
+[[nodiscard]] constexpr ContactVerdict verdict_of_both(ContactVerdict a, ContactVerdict b) noexcept {
+  constexpr std::array<int, 6> rank{0, 1, 3, 5, 2, 4};
+  return rank[static_cast<std::size_t>(a)] < rank[static_cast<std::size_t>(b)] ? b : a;
+}
+/// Whether there is no solution, or none that was found.
+[[nodiscard]] constexpr bool without_solution(ContactVerdict verdict) noexcept {
+  return verdict == ContactVerdict::none || verdict == ContactVerdict::not_found;
+}
 
 [[nodiscard]] constexpr std::string_view describe(ContactVerdict verdict) noexcept {
   switch (verdict) {
@@ -155,6 +166,10 @@ enum class ContactVerdict { unique, indeterminate, several, none };
       return "several motions fulfil the laws of contact";
     case ContactVerdict::none:
       return "no motion fulfils the laws of contact";
+    case ContactVerdict::not_examined:
+      return "one motion was found, and others were not looked for";
+    case ContactVerdict::not_found:
+      return "no motion was found, and not all regimes were tried";
   }
   return "unknown verdict";
 }
@@ -162,7 +177,7 @@ enum class ContactVerdict { unique, indeterminate, several, none };
 /// The solutions that were found, the one of least motion first: rest persists where it can.
 struct ContactAnswer {
   static constexpr std::size_t kept = 8;
-  ContactVerdict verdict = ContactVerdict::none;
+  ContactVerdict verdict = ContactVerdict::not_found;
   std::array<ContactSolution, kept> solutions{};
   std::size_t count = 0;
   [[nodiscard]] const ContactSolution& best() const noexcept { return solutions[0]; }

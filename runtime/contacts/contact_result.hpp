@@ -32,6 +32,8 @@ enum class ContactStatus : int {
   no_point,
   invalid_options,  ///< an end before the start, or a step, theta, touch, at_rest, accumulation or law that cannot be
   zero_quaternion,  ///< the start has a quaternion of zeros
+  no_impact,  ///< no impulses fulfil the law of impact, or its collisions have no end
+  not_found,  ///< no regimes were found, and not all were tried
 };
 
 [[nodiscard]] constexpr std::string_view describe(ContactStatus status) noexcept {
@@ -72,12 +74,22 @@ enum class ContactStatus : int {
              "touch, at_rest and accumulation are at least 0, the law is one of the four, and none is NaN";
     case ContactStatus::zero_quaternion:
       return "the start has a quaternion of zeros, which is no attitude: give one of norm 1";
+    case ContactStatus::no_impact:
+      return "no impulses fulfil the law of impact, or its collisions have no end: choose another law, or a smaller restitution";
+    case ContactStatus::not_found:
+      return "no regimes were found that fulfil the laws of contact, and they are too many to try all: begin beside such a state, "
+             "or change a coefficient of friction";
     case ContactStatus::no_room:
       return "the mechanism has more numbers or contacts than there is room for: give ContactRun more";
     case ContactStatus::not_started:
       return "the motion was not started, or its state was changed since: call start first";
   }
   return "unknown contact status";
+}
+
+/// Why a motion ends where a decision found no regimes.
+[[nodiscard]] constexpr ContactStatus status_without_regimes(ContactVerdict verdict) noexcept {
+  return verdict == ContactVerdict::none ? ContactStatus::no_solution : ContactStatus::not_found;
 }
 
 enum class ContactEventKind { impact, opens, slips, slip_ends, accumulation };

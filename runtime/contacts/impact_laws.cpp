@@ -18,7 +18,7 @@ constexpr std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }
 
 // After one solve: which contacts are left closed and sticking, the worst certificate and verdict.
 bool take(const ContactAnswer& answer, const ContactProblem& solved, ImpactResult& result) noexcept {
-  result.verdict = std::max(result.verdict, answer.verdict);
+  result.verdict = verdict_of_both(result.verdict, answer.verdict);
   if (!answer) return false;
   const ContactSolution& s = answer.best();
   result.residual = std::max(result.residual, s.residual);
@@ -115,8 +115,8 @@ void sequential(const ContactProblem& problem, std::span<const double> restituti
     ImpactResult alone;
     alone.verdict = ContactVerdict::unique;
     newton_moreau(one.problem, e, alone);
-    if (alone.verdict == ContactVerdict::none) {
-      result.verdict = ContactVerdict::none;
+    if (without_solution(alone.verdict)) {
+      result.verdict = alone.verdict;
       return;
     }
     const ContactVector P = one.spread(alone.P, problem.rows());
@@ -169,7 +169,7 @@ ImpactResult impact(const ContactProblem& problem, std::span<const double> resti
       sequential(problem, restitution, result);
       break;
   }
-  if (result.applies && result.verdict != ContactVerdict::none) count_energy(problem, result);
+  if (result.applies && !without_solution(result.verdict)) count_energy(problem, result);
   return result;
 }
 

@@ -84,7 +84,7 @@ bool MoreauJean::move_through(double t, double h, std::span<double> y) {
   residual_ = 0;
   if (chosen.problem.count > 0) {
     const ContactAnswer answer = go_on_contacts(chosen.problem, start);
-    if (!answer) return end(ContactStatus::no_solution);
+    if (!answer) return end(status_without_regimes(answer.verdict));
     residual_ = answer.best().residual;
     impulses_ = chosen.spread(answer.best().r, rows());
     // Contacts of a foot that settles are open in every other step: they keep what they had.

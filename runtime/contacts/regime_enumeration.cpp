@@ -18,6 +18,7 @@ namespace torsor::runtime {
 
 ContactAnswer RegimeEnumeration::run(bool thoroughly) noexcept {
   thoroughly_ = thoroughly;
+  tried_ = complete_ = true;
   try_all();
   // Where bounds leave one place alone, rounding may hide it in the regimes that stand for others.
   if (answer_.count == 0 && left_out_) {
@@ -93,13 +94,24 @@ ContactAnswer RegimeEnumeration::finish() noexcept {
     if (motion(found[0]) > 0 && found[j].moves && ends(found[0], found[j])) std::swap(found[0], found[j]);
   }
   if (answer_.count == 0) {
-    answer_.verdict = ContactVerdict::none;
+    answer_.verdict = complete_ ? ContactVerdict::none : ContactVerdict::not_found;
   } else if (answer_.count > 1 || moves_) {
     answer_.verdict = ContactVerdict::several;
+  } else if (found[0].indeterminate) {
+    answer_.verdict = ContactVerdict::indeterminate;
   } else {
-    answer_.verdict = found[0].indeterminate ? ContactVerdict::indeterminate : ContactVerdict::unique;
+    answer_.verdict = tried_ || is_convex() ? ContactVerdict::unique : ContactVerdict::not_examined;
   }
   return answer_;
+}
+
+bool RegimeEnumeration::is_convex() const noexcept {
+  for (int i = 0; i < problem_.count; ++i) {
+    const ContactLaw& law = problem_.law(i);
+    if (!law.rubs()) continue;
+    if (law.friction > 0 || law.static_friction > 0 || law.static_bound > law.bound) return false;
+  }
+  return true;
 }
 
 // Whether one has the regimes of the other but for contacts that are open.
@@ -169,6 +181,7 @@ void RegimeEnumeration::try_regimes(Regimes& regimes) noexcept {
   if (try_related(regimes)) return;
   if (sought == 1) return try_all_directions(regimes);
   if (sought == 2 && try_all_pairs(regimes)) return;
+  complete_ = false;
   const int starts = sought == 2 ? 8 : thoroughly_ ? (sought == 3 ? 12 : 5) : problem_.count == 3 ? 6 : 3;
   int total = 1;
   for (int i = 0; i < sought; ++i) total *= starts;
@@ -216,6 +229,7 @@ void RegimeEnumeration::try_all_directions(Regimes& regimes) noexcept {
     RegimeSystem system(problem_, scale_, regimes);
     if (!system.solve() || system.kernel().cols() > 0 || bearings_ > 0) {
       // E is singular in this very direction: others do as well, turned by Newton's method.
+      complete_ = false;
       for (int k = 0; k < 8; ++k) {
         const double start = 0.3 + std::numbers::pi / 4 * k;
         direction = {std::cos(start), std::sin(start)};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <cstddef>
 
 #include "torsor/runtime/contacts/contact_scale.hpp"
@@ -30,6 +31,18 @@ class RegimeEnumeration {
   /// are not unique, beside those that are `near`, if there are any.
   bool try_from(Regimes regimes, const ContactVector& near = {}) noexcept;
 
+  /// One that is known already.
+  void take(const ContactSolution& solution) noexcept {
+    moves_ = moves_ || solution.moves;
+    add(solution);
+  }
+
+  /// Whether one motion is known, and some contact sticks in it.
+  [[nodiscard]] bool only_rests() const noexcept {
+    const auto& regimes = answer_.solutions[0].regimes;
+    return answer_.count == 1 && std::find(regimes.begin(), regimes.end(), ContactRegime::sticks) != regimes.end();
+  }
+
   [[nodiscard]] ContactAnswer finish() noexcept;
 
   /// How many combinations `run` tries.
@@ -44,6 +57,8 @@ class RegimeEnumeration {
   };
   static constexpr double slack = 1e-12;  ///< of the sizes, for what has to hold
 
+  /// Whether the laws make one convex problem, which has one motion: where no force bounds another.
+  [[nodiscard]] bool is_convex() const noexcept;
   [[nodiscard]] bool ends(const ContactSolution& one, const ContactSolution& other) const noexcept;
   static std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
 
@@ -73,6 +88,8 @@ class RegimeEnumeration {
   bool relates_;
   bool thoroughly_ = false;
   bool left_out_ = false;  ///< regimes that others stand for
+  bool tried_ = false;     ///< all combinations were
+  bool complete_ = false;  ///< and whatever the directions, each motion is among them
   bool moves_ = false;     ///< reactions that fit give different motions without end
 };
 

@@ -77,6 +77,9 @@ void judge(const RandomScene& scene, const State& end, const ContactResult& resu
     case ContactStatus::no_solution:
       EXPECT_FALSE(truth.goes_on());
       break;
+    case ContactStatus::no_impact:
+      EXPECT_EQ(truth.impact().energy, INFINITY);
+      break;
     case ContactStatus::energy_gained: {
       const auto loss = truth.impact();
       EXPECT_LT(loss.energy, -1e-12L * loss.terms);
@@ -137,6 +140,22 @@ TEST(RandomMotions, HaveNoSolutionWhereASlipTurnsRoundAndFrictionDrawsIn) {
   EXPECT_LT((N * N.dot(T) - T * N.squaredNorm()).norm(), 1e-12L * N.squaredNorm() * T.norm());
   EXPECT_GT(truth.touches[0].friction * std::abs(truth.W(0, 1)), 2 * truth.W(0, 0));
   judge(scene, y, result);
+}
+
+// From its own start that scene comes to the pitch point by an impact. Sticking has no impulses there, and a slide draws in, or is
+// turned round by Newton's law: that law has no solution, while rigid bodies have accelerations. Once that was `no_solution`.
+TEST(RandomMotions, SayWhereALawOfImpactHasNoSolution) {
+  auto [scene, y] = random_start(24);
+  make_uneven(scene, 1e6);
+  const ContactResult result = move_uneven(scene, y, 1);
+  EXPECT_EQ(result.status, ContactStatus::no_impact);
+  EXPECT_EQ(result.contact, 0);
+  judge(scene, y, result);
+  EXPECT_TRUE(plane_truth::PlaneTruth(scene, y).goes_on());
+  // Poisson's law has one there, which begins with compression alone.
+  ContactResult by_poisson = integrate_contacts(scene, y, 0, 1e-9, precise, {.law = ImpactLaw::poisson});
+  EXPECT_NE(by_poisson.status, ContactStatus::no_impact);
+  EXPECT_NE(by_poisson.status, ContactStatus::no_solution);
 }
 
 // Scene 6: a body of 10^6 kg on a link of 1 kg, to which another one closes a loop. Its motion is another than that of equal

@@ -127,15 +127,17 @@ TEST_P(RandomSpaceContacts, HaveTheVerdictOfAScanOfDirections) {
     const ContactProblem problem = kind.make(source, kind.contacts);
     SpaceTruth truth(problem, {.cells = 400, .grid = 32, .starts = 4});
     const auto answer = solve_contacts(problem);
-    bool agrees = truth.verdict() == answer.verdict;
+    bool agrees = without_solution(answer.verdict) ? truth.verdict() == ContactVerdict::none : truth.verdict() == answer.verdict;
     for (std::size_t i = 0; i < answer.count; ++i) agrees = agrees && truth.has_motion(answer.solutions[i].u);
     if (!agrees) truth = SpaceTruth(problem, {.cells = 40'000, .grid = 96, .starts = 16});  // two zeros in one cell
     if (truth.margin() < 1e-6) {
       ++near;
       continue;
     }
-    EXPECT_EQ(answer.verdict, truth.verdict());
-    ++seen[static_cast<std::size_t>(answer.verdict)];
+    // Where three slips begin together none is not proved.
+    const bool none = without_solution(answer.verdict) && (kind.contacts > 2 || answer.verdict == ContactVerdict::none);
+    EXPECT_EQ(none ? ContactVerdict::none : answer.verdict, truth.verdict());
+    ++seen[static_cast<std::size_t>(truth.verdict())];
     for (std::size_t i = 0; i < answer.count; ++i) {
       expect_lawful(problem, answer.solutions[i]);
       EXPECT_TRUE(truth.has_motion(answer.solutions[i].u));

@@ -30,6 +30,13 @@ constexpr Translation french_of_contacts[] = {
      "l'intégration entre événements a échoué, voir son propre état"},
     {"the energetic law of impact is one of a single contact, and several touch: choose another law",
      "la loi de choc énergétique est celle d'un seul contact, et plusieurs se touchent : choisir une autre loi"},
+    {"no impulses fulfil the law of impact, or its collisions have no end: choose another law, or a smaller restitution",
+     "aucune percussion ne vérifie la loi de choc, ou ses collisions sont sans fin : choisir une autre loi, ou une "
+     "restitution plus petite"},
+    {"no regimes were found that fulfil the laws of contact, and they are too many to try all: begin beside such a state, or "
+     "change a coefficient of friction",
+     "aucun régime trouvé ne vérifie les lois de contact, et ils sont trop nombreux pour être tous essayés : partir à côté "
+     "d'un tel état, ou changer un coefficient de frottement"},
     {"the constraints of loops lose rank here, a change point, where branches of a loop meet: the motion does not pass it",
      "les liaisons des boucles perdent leur rang ici, un point de bifurcation, où des branches d'une boucle se rencontrent : le mouvement ne "
      "le passe pas"},
