@@ -125,6 +125,10 @@ class ContactSimulation {
       result_.remarks.push_back(say_("at {} reactions are indeterminate: other ones give the same motion",
                                      events_in_words(end.indeterminate, say_)));
     }
+    if (end.order_matters > 0) {
+      result_.remarks.push_back(say_("at {} the sequential law of impact depends on the order of contacts: another one gives "
+                                     "other velocities", events_in_words(end.order_matters, say_)));
+    }
   }
 
  private:
@@ -195,6 +199,7 @@ class ContactSimulation {
       if (state.touches) regimes.push_back(fmt::format("{} {}", contacts_.name(i), contacts_.regime(i, state.regime)));
     }
     text += regimes.empty() ? "; then all are open" : fmt::format("; then {}", fmt::join(regimes, ", "));
+    if (event.order_matters) text += "; another order of contacts gives other velocities";
     for (std::size_t k = 1; k < event.found.size(); ++k) {
       text += k == 1 ? "; other regimes are possible: " : " or ";
       text += regimes_of([&](int i) { return event.found[k][static_cast<std::size_t>(i)]; });

@@ -27,7 +27,7 @@ bool ContactAutomaton::start(double t0, std::span<double> y, Gaps gaps) {
   fastest_.setZero(motion_.rows());
   residual_ = 0;
   impact_number_ = 0;
-  has_event_ = false;
+  has_event_ = order_matters_ = false;
   ends_too_.fill(false);
   joins_.fill(false);
   if (!valid(options_)) return end(ContactStatus::invalid_options, std::nullopt);
@@ -58,7 +58,7 @@ bool ContactAutomaton::renew(std::span<double> y) {
 
 ContactEvent ContactAutomaton::event() const noexcept {
   return {kind_,     told_,        contact_,  before_, y_, std::span(motion_.states).first(bounces_.size()),
-          impulses_, energy_lost_, residual_, verdict_, std::span(found_).first(found_count_)};
+          impulses_, energy_lost_, residual_, verdict_, std::span(found_).first(found_count_), order_matters_};
 }
 
 bool ContactAutomaton::end(ContactStatus status, std::optional<int> contact) noexcept {
@@ -379,6 +379,7 @@ bool ContactAutomaton::happened(int contact, bool normal) {
   std::copy_n(y_.begin(), before_.size(), before_.begin());
   ContactState& state = motion_.states[as(contact)];
   residual_ = energy_lost_ = 0;
+  order_matters_ = false;
   impulses_.setZero(motion_.rows());
   contact_ = contact;
   told_ = result_.time;

@@ -147,6 +147,7 @@ class ContactAutomaton {
   ContactVector impulses_;
   double energy_lost_ = 0, residual_ = 0;
   ContactVerdict verdict_ = ContactVerdict::unique;
+  bool order_matters_ = false;  ///< of the impact told next
   std::array<PerContact<ContactRegime>, ContactAnswer::kept> found_{};  ///< regimes of all motions of the last decision
   std::size_t found_count_ = 0;
 };

@@ -94,6 +94,8 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
   if (!shock.applies) return end(ContactStatus::law_of_one_contact, cause);
   if (shock.verdict == ContactVerdict::none) return end(ContactStatus::no_impact, cause);
   if (without_solution(shock.verdict)) return end(ContactStatus::not_found, cause);
+  order_matters_ = shock.order_matters;
+  if (order_matters_) ++result_.order_matters;
   residual_ = shock.residual;
   result_.worst_residual = std::max(result_.worst_residual, residual_);
   impulses_ = chosen.spread(shock.P, motion_.rows());
@@ -251,6 +253,7 @@ bool ContactAutomaton::pass_edge(int contact, double t, std::span<double> y) {
   contact_ = contact;
   kind_ = ContactEventKind::opens;
   residual_ = energy_lost_ = 0;
+  order_matters_ = false;
   impulses_.setZero(motion_.rows());
   ++result_.events;
   return decide(contact, Cause::opens);
@@ -272,6 +275,7 @@ bool ContactAutomaton::pass_jump_of_slip(int contact, double t) {
   contact_ = contact;
   kind_ = ContactEventKind::slips;
   residual_ = energy_lost_ = 0;
+  order_matters_ = false;
   impulses_.setZero(motion_.rows());
   return settle(contact) && decide(std::nullopt, Cause::none);
 }

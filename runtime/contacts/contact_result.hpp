@@ -107,6 +107,7 @@ struct ContactEvent {
   ContactVerdict verdict;                  ///< of the decision of regimes
   /// Regimes of all motions that it found, that taken first. A contact that did not take part is open.
   std::span<const PerContact<ContactRegime>> found{};
+  bool order_matters = false;  ///< of an impact by the sequential law: another order of contacts gives other velocities
 };
 
 struct ContactOptions {
@@ -133,6 +134,7 @@ struct ContactResult {
   std::int64_t events = 0, impacts = 0, accumulations = 0;
   std::int64_t ambiguous = 0;      ///< decisions for which there were several motions
   std::int64_t indeterminate = 0;  ///< decisions that left reactions indeterminate
+  std::int64_t order_matters = 0;  ///< impacts by the sequential law that another order of contacts makes other ones
   double worst_residual = 0;
   EventStatus integration_event = EventStatus::reached_end;
   Result<double> integration{};  ///< of the last smooth piece, its statistics those of all

@@ -39,6 +39,9 @@ struct ImpactResult {
   double lost = 0;      ///< -P (w- + w+)/2 of all: T- - T+ where no surface moves by itself
   bool gains = false;   ///< T+ > T- of bodies that act on each other, whatever others lose
   int collisions = 0;   ///< of the sequential law
+  /// Of the sequential law: another order of contacts than that of declaration gives other velocities, or no end. All are
+  /// tried of up to four contacts, of more the reverse one.
+  bool order_matters = false;
   bool applies = true;  ///< false: the energetic law of one contact, and several strike at once
 };
 

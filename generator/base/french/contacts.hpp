@@ -106,6 +106,8 @@ constexpr Translation french_of_contacts[] = {
     {"{} events", "{} événements"},
     {"at {} several motions fulfil the laws of contact: one was taken",
      "à {}, plusieurs mouvements vérifient les lois de contact : l'un d'eux est pris"},
+    {"at {} the sequential law of impact depends on the order of contacts: another one gives other velocities",
+     "à {}, la loi de choc séquentielle dépend de l'ordre des contacts : un autre donne d'autres vitesses"},
     {"at {} reactions are indeterminate: other ones give the same motion",
      "à {}, des réactions sont indéterminées : d'autres donnent le même mouvement"},
 };
