@@ -159,5 +159,58 @@ INSTANTIATE_TEST_SUITE_P(OfContacts, RandomSpaceContacts,
                                          Kind{"of_rigid_bodies_", of_rigid_bodies, 3, 50, 500, 8}),
                          testing::PrintToStringParamName());
 
+/// Two problems side by side, their contacts in turn: all regimes of four contacts are tried together.
+ContactProblem side_by_side(const std::array<ContactProblem, 2>& halves) {
+  ContactProblem both;
+  both.count = 4;
+  both.W = Eigen::MatrixXd::Zero(12, 12);
+  both.q = Eigen::VectorXd::Zero(12);
+  for (int h = 0; h < 2; ++h) {
+    const ContactProblem& half = halves[static_cast<std::size_t>(h)];
+    for (int i = 0; i < 2; ++i) {
+      both.laws[static_cast<std::size_t>(2 * i + h)] = half.law(i);
+      both.q.segment<3>(3 * (2 * i + h)) = half.q.segment<3>(3 * i);
+      for (int j = 0; j < 2; ++j) both.W.block<3, 3>(3 * (2 * i + h), 3 * (2 * j + h)) = half.W.block<3, 3>(3 * i, 3 * j);
+    }
+  }
+  return both;
+}
+
+// A scan of four directions takes too long: here it is of two and two. What is said of four follows from what is said of both.
+TEST(FourContactsInSpace, HaveTheVerdictOfTheirHalves) {
+  const int total = std::getenv("TORSOR_LONG_TESTS") != nullptr ? 1000 : 16;
+  Source source(20261128);
+  std::array<int, 4> seen{};
+  int compared = 0;
+  for (int k = 0; k < total; ++k) {
+    SCOPED_TRACE(testing::Message() << "problem " << k);
+    const auto make = [&] { return k % 2 == 0 ? of_random_rows(source, 2) : of_rigid_bodies(source, 2); };
+    std::array<ContactProblem, 2> halves;
+    for (ContactProblem& half : halves) half = make();
+    constexpr SpaceTruth::Search fine{.cells = 1'000, .grid = 32, .starts = 4};
+    const std::array<SpaceTruth, 2> truths{SpaceTruth(halves[0], fine), SpaceTruth(halves[1], fine)};
+    if (std::min(truths[0].margin(), truths[1].margin()) < 1e-6) continue;
+    ++compared;
+    const ContactVerdict truth = verdict_of_both(truths[0].verdict(), truths[1].verdict());
+    const ContactAnswer answer = solve_contacts(side_by_side(halves));
+    if (without_solution(answer.verdict)) {
+      EXPECT_EQ(truth, ContactVerdict::none);
+    } else {
+      EXPECT_EQ(answer.verdict, truth);
+    }
+    ++seen[static_cast<std::size_t>(truth)];
+    for (std::size_t j = 0; j < answer.count; ++j) {
+      for (int h = 0; h < 2; ++h) {
+        Eigen::VectorXd u(6);
+        for (int i = 0; i < 2; ++i) u.segment<3>(3 * i) = answer.solutions[j].u.segment<3>(3 * (2 * i + h));
+        EXPECT_TRUE(truths[static_cast<std::size_t>(h)].has_motion(u)) << "half " << h;
+      }
+    }
+  }
+  std::cout << "unique " << seen[0] << ", indeterminate " << seen[1] << ", several " << seen[2] << ", none " << seen[3] << "\n";
+  EXPECT_GE(std::count_if(seen.begin(), seen.end(), [](int each) { return each > 0; }), 2);
+  EXPECT_GE(compared, total * 3 / 4);
+}
+
 }  // namespace
 }  // namespace random_space_contacts_test
