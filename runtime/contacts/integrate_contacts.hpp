@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -117,14 +118,15 @@ class ContactRun {
     }
   }
 
-  /// Whether thousands of events have taken so little time that a hundred times as many as are allowed would not reach the end:
-  /// regimes then alternate, and it would take hours to count them all.
+  /// Whether the two-hundredth part of the events that are allowed has taken so little time that a hundred times all of them
+  /// would not reach the end: regimes alternate then, and it would take hours to count to the limit.
   bool leads_nowhere(double t1) noexcept {
-    constexpr long long many = 5000;
+    const long long many = std::max(100LL, automaton_.options().event_limit / 200);
     if (pieces_ < pace_.pieces + many) return false;
     const double time = automaton_.result().time, gone = time - pace_.time;
+    const bool first = pace_.pieces == 0;
     pace_ = {pieces_, time};
-    return pieces_ > many && 100 * gone * static_cast<double>(automaton_.options().event_limit / many) < t1 - time;
+    return !first && 100 * 200 * gone < t1 - time;
   }
 
   bool advance_to_event(double t1) {
