@@ -80,8 +80,10 @@ class AbsoluteTurns {
     for (std::size_t k = 1; turned == Turned::at_once && k < turns_.size(); ++k) {
       const std::optional<Link> turn = tree.absolute_turn(static_cast<int>(k));
       if (!turn) continue;
+      // In their own axes, and in no row that begins elsewhere.
       bool own = true;
-      for (std::size_t j = k; static_cast<int>(j) != turn->parent; j = parent(tree, j)) own = own && axes[j] == Axes::own;
+      for (std::size_t j = k; static_cast<int>(j) != turn->parent; j = parent(tree, j))
+        own = own && axes[j] == Axes::own && (base_[j] < 0 || base_[j] == turn->parent);
       if (!own) continue;
       turns_[k] = turn;
       for (std::size_t j = k; static_cast<int>(j) != turn->parent; j = parent(tree, j)) base_[j] = turn->parent;
@@ -135,7 +137,7 @@ std::vector<Acceleration> recursion(const BodyTree& tree, JointMotion joints, co
     const Vector origin = bound(program, tree.arm(link));
     const std::optional<std::size_t> base = turns.base(k);
     const auto above = static_cast<std::size_t>(link.parent);
-    Vector linear = base ? beyond[above] : parent.linear();
+    Vector linear = !base ? parent.linear() : *base == above ? Vector() : beyond[above];
     linear += parent.u_times(origin);
     Vector omega = from_parent(k, parent.omega());
     Vector angular = from_parent(k, parent.angular());
