@@ -21,7 +21,8 @@ namespace {
 constexpr int jump_digits = 60;
 constexpr int root_digits = 160;  ///< what touches zero has 10^-78 beside that place, and is a difference of what is larger
 constexpr std::size_t states = 60;     ///< around which each selection is looked at, at most
-constexpr std::size_t fine_states = 6; ///< the same where places lie densely
+constexpr std::size_t fine_states = 6; ///< the same for cuts and roots
+constexpr std::size_t states_alone = 2; ///< the same where one symbol decides, and only parameters differ
 constexpr int most_places = 8;    ///< where it changes, that are looked at
 constexpr int steps = 400;        ///< to such a place
 constexpr int farthest = 15;      ///< powers of ten of the sizes of what moves, from -12 on
@@ -67,11 +68,11 @@ struct Turn {
   Value condition, of{};
 };
 
-/// Places of a symbol, in order: zero and powers of ten, with both signs but for the time; for what is hidden many in between.
-std::vector<Number> places_of(const Symbol& symbol, Turn::Kind kind) {
+/// Places of a symbol, in order: zero and powers of ten, with both signs but for the time; on request many in between.
+std::vector<Number> places_of(const Symbol& symbol, bool densely) {
   std::vector<Number> places{Number(0)};
   for (int power = -12; power <= farthest; ++power) {
-    const bool finely = kind != Turn::Kind::selection && power >= -3 && power < 4;
+    const bool finely = densely && power >= -3 && power < 4;
     for (int tenths = 10; tenths < (finely ? 100 : 11); ++tenths) {
       places.push_back(Number(10).pow(power) * Number::rational(tenths, 10));
     }
@@ -175,14 +176,14 @@ class JumpSearch {
     const WorkingDigits precision(turn.kind == Turn::Kind::touch ? root_digits : jump_digits);
     const std::vector<SymbolPointer> symbols = moving_symbols(*program_, turn.condition, only_);
     const bool selection = turn.kind == Turn::Kind::selection;
-    if (deciding_ == Deciding::alone && moving_symbols(*program_, selection ? turn.condition : turn.of, nullptr).size() > 1) {
-      return std::nullopt;
-    }
-    const std::size_t most = selection ? states : fine_states;
+    const bool alone = moving_symbols(*program_, selection ? turn.condition : turn.of, nullptr).size() <= 1;
+    if (deciding_ == Deciding::alone && !alone) return std::nullopt;
+    // What several coordinates make together is looked at roughly: a platform on six legs has thirty roots and angles of six.
+    const std::size_t most = selection ? states : alone ? states_alone : fine_states;
     int seen = 0;
     for (std::size_t k = 0; !symbols.empty() && k < most && seen < enough; ++k) {
       MovingState state(random_, symbols[k % symbols.size()]);
-      const auto found = along(turn, places_of(*symbols[k % symbols.size()], turn.kind), state, seen);
+      const auto found = along(turn, places_of(*symbols[k % symbols.size()], !selection && alone), state, seen);
       if (found) return found;
     }
     return std::nullopt;
@@ -239,13 +240,14 @@ class JumpSearch {
       low = low - apart();
       high = high + apart();
     }
+    const Real rounding(Number(10).pow(-digits / 2), digits);  // what all that vanishes there has left
     for (const Value& value : values_) {
       Real around(0);
       for (const Real& beside : {from - way, from, to, to + way}) {
         const Real size = abs(at(beside, state, value));
         if (!size.is_nan()) around = around + size;
       }
-      if (differ(at(low, state, value), at(high, state, value), around > Real(0) ? around : Real(1))) {
+      if (differ(at(low, state, value), at(high, state, value), around > rounding ? around : Real(1))) {
         return ((low + high) / Real(2)).to_double();
       }
     }

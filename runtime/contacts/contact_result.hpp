@@ -57,7 +57,7 @@ enum class ContactStatus : int {
       return "a contact's rule is impossible: friction and bounds finite and at least 0, static ones at least those of "
              "sliding, restitution from 0 to 1, at most two tangents, pressed by an earlier contact with a normal";
     case ContactStatus::too_many_events:
-      return "the limit of events was met: raise it, or look for regimes that alternate without end";
+      return "there are too many events for their limit: raise it, or look for regimes that alternate without end";
     case ContactStatus::integration_failed:
       return "the integration between events failed, see its own status";
     case ContactStatus::law_of_one_contact:

@@ -119,14 +119,15 @@ class ContactRun {
   }
 
   /// Whether the two-hundredth part of the events that are allowed has taken so little time that a hundred times all of them
-  /// would not reach the end: regimes alternate then, and it would take hours to count to the limit.
+  /// would not reach the end, and no less than the part before, as bounces do that accumulate: regimes alternate then, and it
+  /// would take hours to count to the limit.
   bool leads_nowhere(double t1) noexcept {
     const long long many = std::max(100LL, automaton_.options().event_limit / 200);
     if (pieces_ < pace_.pieces + many) return false;
     const double time = automaton_.result().time, gone = time - pace_.time;
-    const bool first = pace_.pieces == 0;
-    pace_ = {pieces_, time};
-    return !first && 100 * 200 * gone < t1 - time;
+    const bool fades = gone < 0.999 * pace_.gone, first = pace_.pieces == 0;
+    pace_ = {pieces_, time, gone};
+    return !first && !fades && 100 * 200 * gone < t1 - time;
   }
 
   bool advance_to_event(double t1) {
@@ -218,7 +219,7 @@ class ContactRun {
   long long pieces_ = 0;
   struct {
     long long pieces = 0;
-    double time = 0;
+    double time = 0, gone = 0;
   } pace_;  ///< looked at last
 };
 

@@ -108,6 +108,9 @@ TEST(EventLimit, EndsAMotionWhoseEventsLeadNowhere) {
   EXPECT_LT(day.events, 300);
   y = {1e-9, 0};
   EXPECT_EQ(integrate_contacts(ball(1), y, 0.0, 4e-3, method, options).status, ContactStatus::reached_end);
+  // Bounces that accumulate become as dense, and end.
+  y = {0.01, 0};
+  EXPECT_EQ(integrate_contacts(ball(0.95), y, 0.0, 100.0, method, options).status, ContactStatus::reached_end);
 }
 
 // Slips that end at one time are two events: no block is driven by its own friction.

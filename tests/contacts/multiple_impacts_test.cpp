@@ -154,6 +154,12 @@ TEST(MultipleImpacts, SayWhereTheOrderMatters) {
   EXPECT_FALSE(matters(row_of_balls(of({2, 1, 1}), of({1, 0, 0}), 1)));
   // Of more than four contacts the reverse order is compared.
   EXPECT_TRUE(matters(row_of_balls(VectorXd::Ones(7), of({1, 0, -1, 0, 0, 0, 0}), 0.5)));
+  // A rod falls flat on two supports, below its centre and beside it: one collision ends it, whichever is first.
+  MatrixXd supports(2, 2);
+  supports << 1, 0, 1, 1;
+  const Shock flat{supports, of({1, 1}), of({-1, 0}), 1};
+  EXPECT_TRUE(matters(flat));
+  EXPECT_TRUE(matters(flat.reversed()));
   // Two pairs that have nothing to do with each other.
   MatrixXd pairs(2, 4);
   pairs << -1, 1, 0, 0, 0, 0, -1, 1;

@@ -24,8 +24,8 @@ constexpr Translation french_of_contacts[] = {
      "la loi d'un contact est impossible : frottements et bornes sont finis et non négatifs, ceux d'adhérence au moins égaux à "
      "ceux de glissement, la restitution est entre 0 et 1, il y a deux tangentes au plus, et un contact antérieur avec une "
      "normale le presse"},
-    {"the limit of events was met: raise it, or look for regimes that alternate without end",
-     "la limite du nombre d'événements est atteinte : l'augmenter, ou chercher des régimes qui alternent sans fin"},
+    {"there are too many events for their limit: raise it, or look for regimes that alternate without end",
+     "il y a trop d'événements pour leur limite : l'augmenter, ou chercher des régimes qui alternent sans fin"},
     {"the integration between events failed, see its own status",
      "l'intégration entre événements a échoué, voir son propre état"},
     {"the energetic law of impact is one of a single contact, and several touch: choose another law",
