@@ -147,7 +147,8 @@ class ContactSimulation {
 
   /// Where the laws of contact end the motion: in which state, and which regimes there were and were found.
   std::string of_regimes(const runtime::ContactMotion& motion, const runtime::ContactResult& end, const State& y) const {
-    const bool none = end.status == ContactStatus::no_solution;
+    const bool none = end.status == ContactStatus::no_solution || end.status == ContactStatus::no_impact ||
+                      end.status == ContactStatus::not_found;
     if (!none && end.status != ContactStatus::jams && end.status != ContactStatus::energy_gained) return "";
     std::vector<std::string> numbers;
     for (std::size_t i = 0; i < record_.numbers; ++i) numbers.push_back(fmt::format("{} = {:.9g}", result_.names[1 + i], y[i]));

@@ -19,8 +19,8 @@ struct ContactSolverOptions {
 
 /// Finds one solution of any number of contacts from reactions of an earlier instant: what held then, or rest, or what sweeps of
 /// Gauss and Seidel, each contact solved exactly with the others held, propose. The equations of regimes are solved by Newton's
-/// method (the semismooth Newton method of Alart and Curnier), and their inequalities decide. Its verdict says `unique`
-/// or `indeterminate` of what it found and did not look for other motions; `none` that it found nothing.
+/// method (the semismooth Newton method of Alart and Curnier), and their inequalities decide. Its verdict says
+/// `not_examined` or `indeterminate` of what it found, since it did not look for other motions, and `not_found` where it found none.
 [[nodiscard]] ContactAnswer iterate_contacts(const ContactProblem& problem, const ContactVector& start,
                                              const ContactSolverOptions& options = {}) noexcept;
 
