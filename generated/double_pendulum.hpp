@@ -12,18 +12,18 @@
 //   function                             additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   kinematics                                   4                4          0             0                  2       0     12      12
 //   mass_matrix                                  1                0          0             0                  1       0      3       3
-//   bias                                         3                7          0             0                  3       0     16      16
-//   inverse_dynamics                             7               10          0             0                  3       0     23      23
+//   bias                                         4                8          0             0                  2       0     16      16
+//   inverse_dynamics                            10                9          0             0                  2       0     23      24
 //   forward_dynamics                             7               12          1             0                  2       0     24      24
 //   energy                                       6                8          0             0                  3       0     20      24
 //   first_integrals                              7                8          0             0                  3       0     21      25
-//   linearisation                               19               35          1             0                  3       0     61      61
-//   inverse_dynamics_derivatives                 7               15          0             0                  3       0     28      28
-//   forward_dynamics_derivatives                19               37          1             0                  3       0     63      63
+//   linearisation                               26               32          1             0                  2       0     63      66
+//   inverse_dynamics_derivatives                13               15          0             0                  2       0     32      34
+//   forward_dynamics_derivatives                24               36          1             0                  2       0     65      67
 //   regressor                                    7               12          0             0                  2       0     23      23
 //   jets                                        32               41          1             0                  2       0     78       -
-//   inverse_dynamics_second_derivatives          7               16          0             0                  3       0     29      29
-//   forward_dynamics_second_derivatives         44               74          1             0                  3       0    125     131
+//   inverse_dynamics_second_derivatives         15               16          0             0                  2       0     35      37
+//   forward_dynamics_second_derivatives         56               72          1             0                  2       0    133     145
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 36 results 16 vanish identically, 6 repeat another up to sign
@@ -35,7 +35,7 @@
 //   inverse_dynamics_derivatives: of 8 results 2 vanish identically
 //   forward_dynamics_derivatives: of 12 results 1 repeat another up to sign
 //   regressor: of 12 results 4 vanish identically
-//   inverse_dynamics_second_derivatives: of 32 results 14 vanish identically, 10 repeat another up to sign
+//   inverse_dynamics_second_derivatives: of 32 results 14 vanish identically, 9 repeat another up to sign
 //   forward_dynamics_second_derivatives: of 24 results 4 vanish identically, 6 repeat another up to sign
 //
 // To write this file again:
@@ -91,7 +91,7 @@ struct Mechanism {
 
   static constexpr const char* name = "double_pendulum";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x722bfb6a2ddd899cULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x18d701826494c92dULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -391,22 +391,21 @@ struct Mechanism {
     const Scalar q_theta_2 = state.q.theta_2;
     const Scalar v_theta_2 = state.v.theta_2;
     const Scalar z0 = q_theta_1 - q_theta_2;
-    const Scalar angles_[] = {q_theta_1, z0, q_theta_2};
-    Scalar sines_[3], cosines_[3];
+    const Scalar angles_[] = {q_theta_1, z0};
+    Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
-    const Scalar s_theta_1 = sines_[0];
-    const Scalar z1 = sines_[1];
-    const Scalar s_theta_2 = sines_[2];
-    const Scalar z2 = v_theta_2 * v_theta_2;
-    const Scalar z3 = v_theta_1 * v_theta_1;
-    const Scalar z4 = n9_81 * s_theta_1;
-    const Scalar z5 = n9_81 * s_theta_2;
-    const Scalar z6 = z1 * z3;
-    const Scalar z7 = z1 * z2;
-    const Scalar z8 = z6 - z5;  // acceleration of lower, x
-    const Scalar z9 = n2 * z4 + z7;
-    forces.theta_1 = z9;
-    forces.theta_2 = -z8;
+    const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
+    const Scalar z1 = sines_[1], z2 = cosines_[1];
+    const Scalar z3 = n9_81 * c_theta_1;
+    const Scalar z4 = v_theta_1 * v_theta_1;
+    const Scalar z5 = v_theta_2 * v_theta_2;
+    const Scalar z6 = n9_81 * s_theta_1;
+    const Scalar z7 = z1 * z5;
+    const Scalar z8 = z3 + z4;
+    const Scalar z9 = z1 * z8 - z2 * z6;
+    const Scalar z10 = n2 * z6 + z7;
+    forces.theta_1 = z10;
+    forces.theta_2 = -z9;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -421,23 +420,23 @@ struct Mechanism {
     const Scalar v_theta_2 = state.v.theta_2;
     const Scalar a_theta_2 = accelerations.theta_2;
     const Scalar z0 = q_theta_1 - q_theta_2;
-    const Scalar angles_[] = {q_theta_1, z0, q_theta_2};
-    Scalar sines_[3], cosines_[3];
+    const Scalar angles_[] = {q_theta_1, z0};
+    Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
-    const Scalar s_theta_1 = sines_[0];
+    const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar z1 = sines_[1], z2 = cosines_[1];
-    const Scalar s_theta_2 = sines_[2];
-    const Scalar z3 = v_theta_2 * v_theta_2;
-    const Scalar z4 = n9_81 * s_theta_1;
-    const Scalar z5 = v_theta_1 * v_theta_1;
-    const Scalar z6 = n9_81 * s_theta_2;
-    const Scalar z7 = z1 * z5;
-    const Scalar z8 = z1 * z3;
-    const Scalar z9 = z6 - z7;  // acceleration of lower, x
-    const Scalar z10 = n2 * z4 + z8;
-    const Scalar z11 = a_theta_1 * z2 + a_theta_2 + z9;
-    const Scalar z12 = z10 + n2 * a_theta_1 + a_theta_2 * z2;
-    forces.theta_1 = z12;
+    const Scalar z3 = n9_81 * c_theta_1;
+    const Scalar z4 = v_theta_1 * v_theta_1;
+    const Scalar z5 = n9_81 * s_theta_1;
+    const Scalar z6 = v_theta_2 * v_theta_2;
+    const Scalar z7 = a_theta_2 * z2 + z1 * z6;
+    const Scalar z8 = a_theta_1 + z5;
+    const Scalar z9 = z3 + z4;
+    const Scalar z10 = z1 * z9 - z2 * z8;
+    const Scalar z11 = a_theta_2 - z10;  // moment on lower, z
+    const Scalar z12 = n2 * (a_theta_1 + z5) + z7 + z11;  // moment on upper, z
+    const Scalar z13 = z11 - z12;
+    forces.theta_1 = -z13;
     forces.theta_2 = z11;
   }
 
@@ -552,8 +551,8 @@ struct Mechanism {
   /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed&, const State& state,
       const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_theta_1 = state.q.theta_1;
@@ -563,80 +562,77 @@ struct Mechanism {
     const Scalar v_theta_2 = state.v.theta_2;
     const Scalar a_theta_2 = accelerations.theta_2;
     const Scalar z0 = q_theta_1 - q_theta_2;
-    const Scalar angles_[] = {q_theta_1, z0, q_theta_2};
-    Scalar sines_[3], cosines_[3];
+    const Scalar angles_[] = {q_theta_1, z0};
+    Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar z1 = sines_[1], z2 = cosines_[1];
-    const Scalar s_theta_2 = sines_[2], c_theta_2 = cosines_[2];
-    const Scalar z3 = v_theta_2 * v_theta_2;
-    const Scalar z4 = v_theta_1 * v_theta_1;
-    const Scalar z5 = n2 - z2 * z2;
-    const Scalar z6 = n9_81 * c_theta_1;
-    const Scalar z7 = n9_81 * c_theta_2;
-    const Scalar z8 = z2 * z3;
-    const Scalar z9 = z2 * z4;
-    const Scalar z10 = n2 * v_theta_1;
-    const Scalar z11 = n9_81 * s_theta_1;
-    const Scalar z12 = z1 * z3;
-    const Scalar z13 = z1 * z10;
-    const Scalar z14 = n2 * v_theta_2;
-    const Scalar z15 = n9_81 * s_theta_2;
-    const Scalar z16 = z1 * z4;
-    const Scalar z17 = z1 * z14;
-    const Scalar z18 = z15 - z16;  // acceleration of lower, x
-    const Scalar z19 = z7 + z9;  // acceleration of lower, y
-    const Scalar z20 = n2 * z11 + z12;
-    const Scalar z21 = n2 * z6 + z8;
-    const Scalar z22 = a_theta_1 * z1 + z9;
-    const Scalar z23 = a_theta_2 * z1 - z8;
-    const Scalar z24 = z2 * z13;
-    const Scalar z25 = n1 / z5;
-    const Scalar z26 = a_theta_1 * z2 + a_theta_2 + z18;
-    const Scalar z27 = a_theta_1 * z1 + z19;
-    const Scalar z28 = z20 + n2 * a_theta_1 + a_theta_2 * z2;
-    const Scalar z29 = a_theta_2 * z1 - z21;
-    const Scalar z30 = z2 * z27 - z23;
-    const Scalar z31 = z2 * z22 - z29;
-    const Scalar z32 = z25 * z31;
-    const Scalar z33 = z25 * z24;
-    const Scalar z34 = z25 * z30;
-    const Scalar z35 = z17 * z25;
-    const Scalar z36 = z2 * z32 + z22;
-    const Scalar z37 = z2 * z33 + z13;
-    const Scalar z38 = z2 * z34 + z27;
-    const Scalar z39 = z2 * z35;
+    const Scalar z3 = n9_81 * s_theta_1;
+    const Scalar z4 = n9_81 * c_theta_1;
+    const Scalar z5 = v_theta_1 * v_theta_1;
+    const Scalar z6 = v_theta_2 * v_theta_2;
+    const Scalar z7 = n2 - z2 * z2;
+    const Scalar z8 = a_theta_2 * z1 - z2 * z6;
+    const Scalar z9 = n2 * v_theta_1;
+    const Scalar z10 = a_theta_2 * z2 + z1 * z6;
+    const Scalar z11 = z1 * z9;
+    const Scalar z12 = n2 * v_theta_2;
+    const Scalar z13 = z1 * z12;
+    const Scalar z14 = a_theta_1 + z3;
+    const Scalar z15 = z4 + z5;
+    const Scalar z16 = z1 * z15 - z2 * z14;
+    const Scalar z17 = z1 * z14 + z2 * z15;
+    const Scalar z18 = z1 * (z3 - z14) + z2 * (z4 - z15);
+    const Scalar z19 = z2 * z11;
+    const Scalar z20 = n1 / z7;
+    const Scalar z21 = a_theta_2 - z16;  // moment on lower, z
+    const Scalar z22 = z17 + z8;
+    const Scalar z23 = n2 * (a_theta_1 + z3) + z10 + z21;  // moment on upper, z
+    const Scalar z24 = n2 * z4 - z8 + z18;
+    const Scalar z25 = z17 - z22;
+    const Scalar z26 = z21 - z23;
+    const Scalar z27 = z18 - z24;
+    const Scalar z28 = z2 * z17 + z25;
+    const Scalar z29 = z20 * z19;
+    const Scalar z30 = z13 * z20;
+    const Scalar z31 = z2 * z18 + z27;
+    const Scalar z32 = z2 * z29 + z11;
+    const Scalar z33 = z20 * z28;
+    const Scalar z34 = z2 * z30;
+    const Scalar z35 = z20 * z31;
+    const Scalar z36 = z2 * z33 + z17;
+    const Scalar z37 = z2 * z35 + z18;
     result.M[0] = n2;
     result.M[1] = z2;
     result.M[2] = z2;
     result.M[3] = n1;
     result.C[0] = n0;
-    result.C[1] = -z13;
-    result.C[2] = z17;
+    result.C[1] = -z11;
+    result.C[2] = z13;
     result.C[3] = n0;
-    result.K[0] = -z29;
-    result.K[1] = -z22;
-    result.K[2] = z23;
-    result.K[3] = z27;
-    result.F[0] = -z28;
-    result.F[1] = -z26;
+    result.K[0] = -z27;
+    result.K[1] = z18;
+    result.K[2] = -z25;
+    result.K[3] = z17;
+    result.F[0] = z26;
+    result.F[1] = -z21;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = -z32;
-    result.A[3] = z36;
+    result.A[2] = z35;
+    result.A[3] = -z37;
     result.A[4] = n0;
     result.A[5] = n0;
-    result.A[6] = z34;
-    result.A[7] = -z38;
+    result.A[6] = z33;
+    result.A[7] = -z36;
     result.A[8] = n1;
     result.A[9] = n0;
-    result.A[10] = -z33;
-    result.A[11] = z37;
+    result.A[10] = -z29;
+    result.A[11] = z32;
     result.A[12] = n0;
     result.A[13] = n1;
-    result.A[14] = -z35;
-    result.A[15] = z39;
-    if (!(traits::regular(z5, n2))) return torsor::Status::singular;
+    result.A[14] = -z30;
+    result.A[15] = z34;
+    if (!(traits::regular(z7, n2))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * result.M[1] * result.M[2] * result.C[1] * result.C[2] * result.K[0] * result.K[1]
         * result.K[2] * result.K[3] * result.F[0]) * (n0 * result.F[1] * result.A[2] * result.A[3] * result.A[6]
@@ -664,35 +660,35 @@ struct Mechanism {
     const Scalar v_theta_2 = state.v.theta_2;
     const Scalar a_theta_2 = accelerations.theta_2;
     const Scalar z0 = q_theta_1 - q_theta_2;
-    const Scalar angles_[] = {q_theta_1, z0, q_theta_2};
-    Scalar sines_[3], cosines_[3];
+    const Scalar angles_[] = {q_theta_1, z0};
+    Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
-    const Scalar c_theta_1 = cosines_[0];
+    const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar z1 = sines_[1], z2 = cosines_[1];
-    const Scalar c_theta_2 = cosines_[2];
-    const Scalar z3 = v_theta_2 * v_theta_2;
-    const Scalar z4 = v_theta_1 * v_theta_1;
-    const Scalar z5 = n9_81 * c_theta_1;
-    const Scalar z6 = n9_81 * c_theta_2;
+    const Scalar z3 = n9_81 * s_theta_1;
+    const Scalar z4 = n9_81 * c_theta_1;
+    const Scalar z5 = v_theta_1 * v_theta_1;
+    const Scalar z6 = v_theta_2 * v_theta_2;
     const Scalar z7 = n2 * v_theta_1;
     const Scalar z8 = n2 * v_theta_2;
-    const Scalar z9 = z2 * z3;
-    const Scalar z10 = z2 * z4;
-    const Scalar z11 = z1 * z7;
-    const Scalar z12 = z1 * z8;
-    const Scalar z13 = z6 + z10;  // acceleration of lower, y
-    const Scalar z14 = n2 * z5 + z9;
-    const Scalar z15 = a_theta_1 * z1 + z10;
-    const Scalar z16 = a_theta_2 * z1 - z9;
-    const Scalar z17 = a_theta_1 * z1 + z13;
-    const Scalar z18 = a_theta_2 * z1 - z14;
-    result.by_position[0] = -z18;
-    result.by_position[1] = -z15;
-    result.by_position[2] = z16;
-    result.by_position[3] = z17;
+    const Scalar z9 = a_theta_2 * z1 - z2 * z6;
+    const Scalar z10 = z1 * z7;
+    const Scalar z11 = z1 * z8;
+    const Scalar z12 = a_theta_1 + z3;
+    const Scalar z13 = z4 + z5;
+    const Scalar z14 = z1 * z12 + z2 * z13;
+    const Scalar z15 = z1 * (z3 - z12) + z2 * (z4 - z13);
+    const Scalar z16 = z14 + z9;
+    const Scalar z17 = n2 * z4 - z9 + z15;
+    const Scalar z18 = z14 - z16;
+    const Scalar z19 = z15 - z17;
+    result.by_position[0] = -z19;
+    result.by_position[1] = z15;
+    result.by_position[2] = -z18;
+    result.by_position[3] = z14;
     result.by_velocity[0] = n0;
-    result.by_velocity[1] = -z11;
-    result.by_velocity[2] = z12;
+    result.by_velocity[1] = -z10;
+    result.by_velocity[2] = z11;
     result.by_velocity[3] = n0;
   }
 
@@ -715,63 +711,61 @@ struct Mechanism {
     const Scalar q_theta_2 = state.q.theta_2;
     const Scalar v_theta_2 = state.v.theta_2;
     const Scalar z0 = q_theta_1 - q_theta_2;
-    const Scalar angles_[] = {q_theta_1, z0, q_theta_2};
-    Scalar sines_[3], cosines_[3];
+    const Scalar angles_[] = {q_theta_1, z0};
+    Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar z1 = sines_[1], z2 = cosines_[1];
-    const Scalar c_theta_2 = cosines_[2];
     const Scalar z3 = n9_81 * c_theta_1;
     const Scalar z4 = v_theta_1 * v_theta_1;
     const Scalar z5 = n2 - z2 * z2;
     const Scalar z6 = v_theta_2 * v_theta_2;
     const Scalar z7 = n9_81 * s_theta_1;
     const Scalar z8 = z1 * z6;
-    const Scalar z9 = z2 * z6;
-    const Scalar z10 = n9_81 * c_theta_2;
-    const Scalar z11 = z2 * z4;
-    const Scalar z12 = n2 * v_theta_1;
-    const Scalar z13 = z1 * z12;
-    const Scalar z14 = n2 * v_theta_2;
-    const Scalar z15 = z1 * z14;
-    const Scalar z16 = z3 + z4;
-    const Scalar z17 = z10 + z11;  // acceleration of lower, y
-    const Scalar z18 = n2 * z7 + z8;
-    const Scalar z19 = n2 * z3 + z9;
-    const Scalar z20 = z1 * z16 - z2 * z7;
-    const Scalar z21 = z2 * z13;
-    const Scalar z22 = n1 / z5;
-    const Scalar z23 = z2 * z20 + z18;
-    const Scalar z24 = z22 * z23;
-    const Scalar z25 = z22 * z21;
+    const Scalar z9 = n2 * v_theta_1;
+    const Scalar z10 = z1 * z9;
+    const Scalar z11 = n2 * v_theta_2;
+    const Scalar z12 = z1 * z11;
+    const Scalar z13 = z3 + z4;
+    const Scalar z14 = z1 * z13 - z2 * z7;
+    const Scalar z15 = n2 * z7 + z8;
+    const Scalar z16 = z2 * z10;
+    const Scalar z17 = n1 / z5;
+    const Scalar z18 = z2 * z14 + z15;
+    const Scalar z19 = z17 * z18;
+    const Scalar z20 = z17 * z16;
+    const Scalar z21 = z2 * z17;
+    const Scalar z22 = z12 * z17;
+    const Scalar z23 = z2 * z19 + z14;
+    const Scalar z24 = z7 - z19;
+    const Scalar z25 = z2 * z20 + z10;
     const Scalar z26 = z2 * z22;
-    const Scalar z27 = z15 * z22;
-    const Scalar z28 = z2 * z24 + z20;
-    const Scalar z29 = z1 * z24 - z11;
-    const Scalar z30 = z2 * z25 + z13;
-    const Scalar z31 = z1 * z24 - z17;
-    const Scalar z32 = z2 * z27;
-    const Scalar z33 = n1 + z2 * z26;
-    const Scalar z34 = z1 * z28 - z19;
-    const Scalar z35 = z1 * z28 - z9;
-    const Scalar z36 = z2 * z29 + z34;
-    const Scalar z37 = z2 * z31 + z35;
-    const Scalar z38 = z22 * z36;
-    const Scalar z39 = z22 * z37;
-    const Scalar z40 = z2 * z38 + z29;
-    const Scalar z41 = z2 * z39 + z31;
+    const Scalar z27 = n1 + z2 * z21;
+    const Scalar z28 = z2 * (z3 - z13) + z1 * (z7 - z24);
+    const Scalar z29 = z2 * z13 + z1 * z24;
+    const Scalar z30 = z1 * z23 - z2 * z6;
+    const Scalar z31 = n2 * z3 + z28 - z30;
+    const Scalar z32 = z30 + z29;
+    const Scalar z33 = z29 - z32;
+    const Scalar z34 = z28 - z31;
+    const Scalar z35 = z2 * z29 + z33;
+    const Scalar z36 = z2 * z28 + z34;
+    const Scalar z37 = z17 * z35;
+    const Scalar z38 = z17 * z36;
+    const Scalar z39 = z2 * z37 + z29;
+    const Scalar z40 = z2 * z38 + z28;
     result.by_position[0] = z38;
     result.by_position[1] = -z40;
-    result.by_position[2] = -z39;
-    result.by_position[3] = z41;
-    result.by_velocity[0] = -z25;
-    result.by_velocity[1] = z30;
-    result.by_velocity[2] = -z27;
-    result.by_velocity[3] = z32;
-    result.by_force[0] = z22;
-    result.by_force[1] = -z26;
-    result.by_force[2] = -z26;
-    result.by_force[3] = z33;
+    result.by_position[2] = z37;
+    result.by_position[3] = -z39;
+    result.by_velocity[0] = -z20;
+    result.by_velocity[1] = z25;
+    result.by_velocity[2] = -z22;
+    result.by_velocity[3] = z26;
+    result.by_force[0] = z17;
+    result.by_force[1] = -z21;
+    result.by_force[2] = -z21;
+    result.by_force[3] = z27;
     if (!(traits::regular(z5, n2))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.by_position[0] * result.by_position[1] * result.by_position[2]
@@ -950,52 +944,54 @@ struct Mechanism {
     const Scalar v_theta_2 = state.v.theta_2;
     const Scalar a_theta_2 = accelerations.theta_2;
     const Scalar z0 = q_theta_1 - q_theta_2;
-    const Scalar angles_[] = {q_theta_1, z0, q_theta_2};
-    Scalar sines_[3], cosines_[3];
+    const Scalar angles_[] = {q_theta_1, z0};
+    Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
-    const Scalar s_theta_1 = sines_[0];
+    const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar z1 = sines_[1], z2 = cosines_[1];
-    const Scalar s_theta_2 = sines_[2];
-    const Scalar z3 = v_theta_2 * v_theta_2;
+    const Scalar z3 = n9_81 * c_theta_1;
     const Scalar z4 = v_theta_1 * v_theta_1;
     const Scalar z5 = n9_81 * s_theta_1;
-    const Scalar z6 = n9_81 * s_theta_2;
+    const Scalar z6 = v_theta_2 * v_theta_2;
     const Scalar z7 = n2 * v_theta_1;
     const Scalar z8 = n2 * v_theta_2;
-    const Scalar z9 = z1 * z3;
-    const Scalar z10 = z1 * z4;
-    const Scalar z11 = z2 * z7;
-    const Scalar z12 = z2 * z8;
-    const Scalar z13 = n2 * z1;
-    const Scalar z14 = z6 - z10;  // acceleration of lower, x
-    const Scalar z15 = n2 * z5 + z9;
-    const Scalar z16 = a_theta_1 * z2 - z10;
-    const Scalar z17 = a_theta_2 * z2 + z9;
-    const Scalar z18 = a_theta_1 * z2 + z14;
-    const Scalar z19 = a_theta_2 * z2 + z15;
-    result.by_position_position[0] = -z19;
+    const Scalar z9 = a_theta_2 * z2 + z1 * z6;
+    const Scalar z10 = z2 * z7;
+    const Scalar z11 = z2 * z8;
+    const Scalar z12 = n2 * z1;
+    const Scalar z13 = a_theta_1 + z5;
+    const Scalar z14 = z3 + z4;
+    const Scalar z15 = z1 * z14 - z2 * z13;
+    const Scalar z16 = z1 * (z3 - z14) - z2 * (z5 - z13);
+    const Scalar z17 = z15 - z9;
+    const Scalar z18 = n2 * z5 + z9 + z16;
+    const Scalar z19 = z9 + z16;
+    const Scalar z20 = z15 - z17;
+    const Scalar z21 = z16 - z18;
+    const Scalar z22 = z16 - z19;
+    result.by_position_position[0] = z21;
     result.by_position_position[1] = -z16;
-    result.by_position_position[2] = z17;
+    result.by_position_position[2] = -z22;
     result.by_position_position[3] = z16;
-    result.by_position_position[4] = z17;
+    result.by_position_position[4] = -z22;
     result.by_position_position[5] = z16;
-    result.by_position_position[6] = -z17;
-    result.by_position_position[7] = -z18;
+    result.by_position_position[6] = -z20;
+    result.by_position_position[7] = z15;
     result.by_position_velocity[0] = n0;
-    result.by_position_velocity[1] = -z11;
+    result.by_position_velocity[1] = -z10;
     result.by_position_velocity[2] = n0;
-    result.by_position_velocity[3] = z11;
-    result.by_position_velocity[4] = z12;
+    result.by_position_velocity[3] = z10;
+    result.by_position_velocity[4] = z11;
     result.by_position_velocity[5] = n0;
-    result.by_position_velocity[6] = -z12;
+    result.by_position_velocity[6] = -z11;
     result.by_position_velocity[7] = n0;
     result.by_velocity_velocity[0] = n0;
-    result.by_velocity_velocity[1] = -z13;
+    result.by_velocity_velocity[1] = -z12;
     result.by_velocity_velocity[2] = n0;
     result.by_velocity_velocity[3] = n0;
     result.by_velocity_velocity[4] = n0;
     result.by_velocity_velocity[5] = n0;
-    result.by_velocity_velocity[6] = z13;
+    result.by_velocity_velocity[6] = z12;
     result.by_velocity_velocity[7] = n0;
     result.by_acceleration_position[0] = n0;
     result.by_acceleration_position[1] = -z1;
@@ -1028,113 +1024,114 @@ struct Mechanism {
     const Scalar q_theta_2 = state.q.theta_2;
     const Scalar v_theta_2 = state.v.theta_2;
     const Scalar z0 = q_theta_1 - q_theta_2;
-    const Scalar angles_[] = {q_theta_1, q_theta_2, z0};
-    Scalar sines_[3], cosines_[3];
+    const Scalar angles_[] = {q_theta_1, z0};
+    Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
-    const Scalar s_theta_2 = sines_[1], c_theta_2 = cosines_[1];
-    const Scalar z1 = sines_[2], z2 = cosines_[2];
+    const Scalar z1 = sines_[1], z2 = cosines_[1];
     const Scalar z3 = n9_81 * c_theta_1;
     const Scalar z4 = v_theta_1 * v_theta_1;
     const Scalar z5 = n2 - z2 * z2;
     const Scalar z6 = v_theta_2 * v_theta_2;
     const Scalar z7 = n9_81 * s_theta_1;
     const Scalar z8 = z1 * z6;
-    const Scalar z9 = z2 * z6;
-    const Scalar z10 = n9_81 * c_theta_2;
-    const Scalar z11 = z2 * z4;
-    const Scalar z12 = n2 * v_theta_1;
-    const Scalar z13 = z1 * z12;
-    const Scalar z14 = n2 * v_theta_2;
-    const Scalar z15 = n9_81 * s_theta_2;
-    const Scalar z16 = z1 * z4;
-    const Scalar z17 = z1 * z14;
-    const Scalar z18 = z2 * z12;
-    const Scalar z19 = z2 * z14;
-    const Scalar z20 = n2 * z1;
-    const Scalar z21 = z3 + z4;
-    const Scalar z22 = z1 * z21 - z2 * z7;
-    const Scalar z23 = n2 * z7 + z8;
-    const Scalar z24 = z15 - z16;  // acceleration of lower, x
-    const Scalar z25 = z10 + z11;  // acceleration of lower, y
-    const Scalar z26 = n2 * z3 + z9;
-    const Scalar z27 = z2 * z13;
-    const Scalar z28 = n1 / z5;
-    const Scalar z29 = z2 * z22 + z23;
-    const Scalar z30 = z28 * z29;
-    const Scalar z31 = z28 * z27;
-    const Scalar z32 = z28 * z17;
-    const Scalar z33 = z28 * z20;
-    const Scalar z34 = z2 * z30 + z22;
-    const Scalar z35 = z2 * z20;
-    const Scalar z36 = z28 * z35;
-    const Scalar z37 = z1 * z30 - z11;
-    const Scalar z38 = z2 * z31 + z13;
-    const Scalar z39 = z1 * z30 - z25;
-    const Scalar z40 = z2 * z32;
-    const Scalar z41 = z2 * z30 + z16;
-    const Scalar z42 = z2 * z30 - z24;
-    const Scalar z43 = z1 * z31 - z18;
-    const Scalar z44 = z1 * z32;
-    const Scalar z45 = z2 * z33;
-    const Scalar z46 = z2 * z36 + z20;
-    const Scalar z47 = z1 * z40 - z19;
-    const Scalar z48 = z1 * z34 - z26;
-    const Scalar z49 = z1 * z34 - z9;
-    const Scalar z50 = z2 * z34 + z8;
-    const Scalar z51 = z2 * z34 + z23;
-    const Scalar z52 = z1 * z38;
-    const Scalar z53 = z2 * z43 + z52;
-    const Scalar z54 = z2 * z44 + z47;
-    const Scalar z55 = z2 * z37 + z48;
-    const Scalar z56 = z2 * z39 + z49;
-    const Scalar z57 = z28 * z53;
-    const Scalar z58 = z28 * z54;
-    const Scalar z59 = z28 * z55;
-    const Scalar z60 = z28 * z56;
-    const Scalar z61 = z2 * z57 + z43;
-    const Scalar z62 = z2 * z58 + z44;
-    const Scalar z63 = z2 * z59 + z37;
-    const Scalar z64 = z2 * z60 + z39;
-    const Scalar z65 = z1 * (z59 + z60) - z41;
-    const Scalar z66 = z60 * z20 - z42;
-    const Scalar z67 = z59 * z20 - z41;
-    const Scalar z68 = z1 * (z63 + z64) - z50;
-    const Scalar z69 = z64 * z20 - z50;
-    const Scalar z70 = z63 * z20 - z51;
-    const Scalar z71 = z2 * z66 + z69;
-    const Scalar z72 = z2 * z67 + z70;
-    const Scalar z73 = z2 * z65 + z68;
-    const Scalar z74 = z28 * z71;
-    const Scalar z75 = z28 * z72;
-    const Scalar z76 = z28 * z73;
-    const Scalar z77 = z2 * z74 + z66;
-    const Scalar z78 = z2 * z75 + z67;
-    const Scalar z79 = z2 * z76 + z65;
-    result.by_position_position[0] = -z75;
-    result.by_position_position[1] = z78;
-    result.by_position_position[2] = z76;
-    result.by_position_position[3] = -z79;
-    result.by_position_position[4] = z76;
-    result.by_position_position[5] = -z79;
-    result.by_position_position[6] = -z74;
-    result.by_position_position[7] = z77;
-    result.by_position_velocity[0] = z57;
-    result.by_position_velocity[1] = -z61;
-    result.by_position_velocity[2] = -z57;
-    result.by_position_velocity[3] = z61;
-    result.by_position_velocity[4] = z58;
-    result.by_position_velocity[5] = -z62;
-    result.by_position_velocity[6] = -z58;
-    result.by_position_velocity[7] = z62;
-    result.by_velocity_velocity[0] = -z36;
-    result.by_velocity_velocity[1] = z46;
+    const Scalar z9 = n2 * v_theta_1;
+    const Scalar z10 = z1 * z9;
+    const Scalar z11 = n2 * v_theta_2;
+    const Scalar z12 = z1 * z11;
+    const Scalar z13 = z2 * z9;
+    const Scalar z14 = z2 * z11;
+    const Scalar z15 = n2 * z1;
+    const Scalar z16 = z3 + z4;
+    const Scalar z17 = z1 * z16;
+    const Scalar z18 = n2 * z7 + z8;
+    const Scalar z19 = z2 * z10;
+    const Scalar z20 = n1 / z5;
+    const Scalar z21 = z2 * z7 - z17;
+    const Scalar z22 = z2 * z21 - z18;
+    const Scalar z23 = z20 * z22;
+    const Scalar z24 = z20 * z19;
+    const Scalar z25 = z20 * z12;
+    const Scalar z26 = z2 * z23 + z21;
+    const Scalar z27 = z2 * z15;
+    const Scalar z28 = z20 * z15;
+    const Scalar z29 = z20 * z27;
+    const Scalar z30 = z7 + z23;
+    const Scalar z31 = z2 * z24 + z10;
+    const Scalar z32 = z2 * z25;
+    const Scalar z33 = z1 * z24 - z13;
+    const Scalar z34 = z1 * z25;
+    const Scalar z35 = z2 * z28;
+    const Scalar z36 = z2 * z29 + z15;
+    const Scalar z37 = z2 * (z3 - z16) + z1 * (z7 - z30);
+    const Scalar z38 = z2 * z16 + z1 * z30;
+    const Scalar z39 = z1 * (z3 - z16) - z2 * (z7 - z30);
+    const Scalar z40 = z2 * z30 - z17;
+    const Scalar z41 = z1 * z32 - z14;
+    const Scalar z42 = z2 * z6 + z1 * z26;
+    const Scalar z43 = z2 * z26 - z8;
+    const Scalar z44 = z1 * z31;
+    const Scalar z45 = z2 * z33 + z44;
+    const Scalar z46 = z2 * z34 + z41;
+    const Scalar z47 = z42 - z38;
+    const Scalar z48 = z43 - z40;
+    const Scalar z49 = n2 * z3 + z37 + z42;
+    const Scalar z50 = z39 - z43;
+    const Scalar z51 = n2 * z7 + z39 - z43;
+    const Scalar z52 = z38 + z47;
+    const Scalar z53 = z40 + z48;
+    const Scalar z54 = z20 * z45;
+    const Scalar z55 = z20 * z46;
+    const Scalar z56 = z39 - z50;
+    const Scalar z57 = z2 * z38 + z52;
+    const Scalar z58 = z2 * z54 + z33;
+    const Scalar z59 = z2 * z55 + z34;
+    const Scalar z60 = z37 - z49;
+    const Scalar z61 = z39 - z51;
+    const Scalar z62 = z20 * z57;
+    const Scalar z63 = z2 * z37 + z60;
+    const Scalar z64 = z2 * z62 + z38;
+    const Scalar z65 = z62 * z15 - z40;
+    const Scalar z66 = z20 * z63;
+    const Scalar z67 = z64 * z15 - z53;
+    const Scalar z68 = z2 * z66 + z37;
+    const Scalar z69 = z1 * (z66 - z62) + z39;
+    const Scalar z70 = z66 * z15 + z39;
+    const Scalar z71 = z2 * z65 + z67;
+    const Scalar z72 = z1 * (z68 - z64) + z56;
+    const Scalar z73 = z68 * z15 + z61;
+    const Scalar z74 = z20 * z71;
+    const Scalar z75 = z2 * z70 + z73;
+    const Scalar z76 = z2 * z74 + z65;
+    const Scalar z77 = z2 * z69 + z72;
+    const Scalar z78 = z20 * z75;
+    const Scalar z79 = z20 * z77;
+    const Scalar z80 = z2 * z78 + z70;
+    const Scalar z81 = z2 * z79 + z69;
+    result.by_position_position[0] = -z78;
+    result.by_position_position[1] = z80;
+    result.by_position_position[2] = z79;
+    result.by_position_position[3] = -z81;
+    result.by_position_position[4] = z79;
+    result.by_position_position[5] = -z81;
+    result.by_position_position[6] = z74;
+    result.by_position_position[7] = -z76;
+    result.by_position_velocity[0] = z54;
+    result.by_position_velocity[1] = -z58;
+    result.by_position_velocity[2] = -z54;
+    result.by_position_velocity[3] = z58;
+    result.by_position_velocity[4] = z55;
+    result.by_position_velocity[5] = -z59;
+    result.by_position_velocity[6] = -z55;
+    result.by_position_velocity[7] = z59;
+    result.by_velocity_velocity[0] = -z29;
+    result.by_velocity_velocity[1] = z36;
     result.by_velocity_velocity[2] = n0;
     result.by_velocity_velocity[3] = n0;
     result.by_velocity_velocity[4] = n0;
     result.by_velocity_velocity[5] = n0;
-    result.by_velocity_velocity[6] = -z33;
-    result.by_velocity_velocity[7] = z45;
+    result.by_velocity_velocity[6] = -z28;
+    result.by_velocity_velocity[7] = z35;
     if (!(traits::regular(z5, n2))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * result.by_position_position[0] * result.by_position_position[1]

@@ -11,7 +11,7 @@
 // share, factoring, and what is done once for a set of parameters:
 //   function              additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   mass_matrix                   4                6          0             0                  2       0     14      15
-//   bias                          8               16          0             0                  3       0     30      30
+//   bias                          9               17          0             0                  2       0     30      30
 //   energy                       15               28          0             0                  3       0     49      51
 //   contacts                     39               58          0             0                  2       0    101     107
 //   contact_coefficients          0                0          0             0                  0       0      0       0
@@ -62,7 +62,7 @@ struct Mechanism {
 
   static constexpr const char* name = "woodpecker_toy";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xbde9a31655ddde4fULL ^ torsor::support_fingerprint;
+  static constexpr unsigned long long fingerprint = 0x36b0dff24279eb72ULL ^ torsor::support_fingerprint;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -280,8 +280,8 @@ struct Mechanism {
   TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0_0056 = traits::constant(0.0056, 0.0056f, "7/1250");
+    const Scalar k2 = traits::constant(6.75e-05, 6.75e-05f, "27/400000");
     const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
-    const Scalar k3 = traits::constant(6.75e-05, 6.75e-05f, "27/400000");
     const Scalar k4 = traits::constant(4.5e-05, 4.5e-05f, "9/200000");
     const Scalar k5 = traits::constant(0.047088, 0.047088f, "2943/62500");
     const Scalar q_phi = state.q.phi;
@@ -289,32 +289,30 @@ struct Mechanism {
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
     const Scalar z0 = q_phi - q_theta;
-    const Scalar angles_[] = {q_phi, z0, q_theta};
-    Scalar sines_[3], cosines_[3];
+    const Scalar angles_[] = {q_phi, z0};
+    Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_phi = sines_[0], c_phi = cosines_[0];
     const Scalar z1 = sines_[1], z2 = cosines_[1];
-    const Scalar c_theta = cosines_[2];
     const Scalar z3 = v_theta * v_theta;
-    const Scalar z4 = v_phi * v_phi;
-    const Scalar z5 = n9_81 * c_theta;
-    const Scalar z6 = n0_0056 * z0;
-    const Scalar z7 = n9_81 * c_phi;
-    const Scalar z8 = n0_01 * z4;
-    const Scalar z9 = k3 * z3;  // force on bird, x
+    const Scalar z4 = n9_81 * s_phi;
+    const Scalar z5 = v_phi * v_phi;
+    const Scalar z6 = n9_81 * c_phi;
+    const Scalar z7 = n0_0056 * z0;
+    const Scalar z8 = k2 * z3;  // force on bird, x
+    const Scalar z9 = z2 * z8;
     const Scalar z10 = z1 * z8;
-    const Scalar z11 = z2 * z9;
-    const Scalar z12 = z1 * z9;
-    const Scalar z13 = z10 - z5;  // acceleration of bird, z
-    const Scalar z14 = k4 * z4 + z11;  // force on sleeve, x
-    const Scalar z15 = z6 + k4 * z7 + n0_01 * z12;
-    const Scalar z16 = k3 * z13;  // moment on bird, y
-    const Scalar z17 = s_phi * z14 - c_phi * z12;
-    const Scalar z18 = z6 + z16;
-    const Scalar z19 = k5 - z17;  // force on slide, z
-    forces.z = z19;
-    forces.phi = z15;
-    forces.theta = -z18;
+    const Scalar z11 = z4 - n0_01 * z5;
+    const Scalar z12 = k4 * z5 + z9;  // force on sleeve, x
+    const Scalar z13 = z7 + k4 * z6 + n0_01 * z10;
+    const Scalar z14 = z2 * z6 + z1 * z11;
+    const Scalar z15 = s_phi * z12 - c_phi * z10;
+    const Scalar z16 = k2 * z14;  // moment on bird, y
+    const Scalar z17 = z7 - z16;
+    const Scalar z18 = k5 - z15;  // force on slide, z
+    forces.z = z18;
+    forces.phi = z13;
+    forces.theta = -z17;
   }
 
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.

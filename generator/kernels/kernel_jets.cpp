@@ -29,7 +29,7 @@ std::optional<SeriesResult> by_inverse_dynamics(const Equations& equations, cons
   SeriesSolve solve;
   for (std::size_t i = 0; i < n; ++i) solve.unknowns.push_back(equations.model().coordinates()[i].a);
   std::vector<Value> outputs(rates.begin(), rates.end() - static_cast<std::ptrdiff_t>(n));
-  const std::vector<Value> forces = equations.inverse_dynamics_of_motion();
+  const std::vector<Value> forces = equations.inverse_dynamics();
   const std::vector<Value> inputs = equations.of_inputs();
   for (std::size_t i = 0; i < n; ++i) outputs.push_back(program.bind(forces[i] - inputs[i]));
   SeriesResult result{SeriesProgram(program, outputs), state, {}};

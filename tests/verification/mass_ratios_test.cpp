@@ -134,18 +134,6 @@ TEST(MassRatios, OfTwoLinksCostNoDigitsOfEnergiesAndForces) {
   }
 }
 
-// Gravity in a link by its absolute angle is that of this angle alone: by differences it has the roundings of the other one,
-// which may be large.
-TEST(MassRatios, OfTwoLinksByAbsoluteAnglesCostNoDigitsFarFromTheStart) {
-  for (const Masses masses : {Masses::numbers, Masses::at_run_time}) {
-    VerifyOptions options;
-    options.kernels = {"bias", "inverse_dynamics", "linearisation"};
-    for (const VerifyRow& row : verify_scene(scene_of({{-6, 0}, Angles::absolute, masses, Shape::point}), options)) {
-      EXPECT_LE(row.worst.scaled, accuracy_bar) << row.kernel << " " << row.group;
-    }
-  }
-}
-
 // Of longer chains the rate of a joint is u − g A, with |g| up to half the root of the ratio of the masses where a light
 // link lies nearly in line with what it pulls (g = m s c/(m' + m s²), largest at s² = m'/m): that many times the last bit
 // of the parent's acceleration A. Differences of inertias lose the ratio itself, 1e6.

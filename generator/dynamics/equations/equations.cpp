@@ -85,8 +85,8 @@ const std::vector<int>& Equations::massless() const {
 
 bool Equations::few_unknowns() const { return model_.unknown_count() <= most_for_parts; }
 
-std::vector<Value> Equations::inertia_and_passive(AccelerationInput input, Turned turned) const {
-  std::vector<Value> forces = inertia_forces(model_.without_lines(), input, actions().wrenches, turned);
+std::vector<Value> Equations::inertia_and_passive(AccelerationInput input) const {
+  std::vector<Value> forces = inertia_forces(model_.without_lines(), input, actions().wrenches);
   for (std::size_t i = 0; i < forces.size(); ++i) {
     forces[i] -= actions().passive[i];
     forces[i] = program_->bind(forces[i]);
@@ -102,46 +102,31 @@ const std::vector<Value>& Equations::bias() const {
   return *derived_.bias;
 }
 
-std::vector<Value> Equations::bias_of_motion() const {
-  if (!model_.without_lines().has_absolute_turns()) return bias();
-  std::vector<Value> h = inertia_and_passive(AccelerationInput::zero, Turned::joint_by_joint);
-  if (few_unknowns()) clear_identically_zero(h);
-  return h;
-}
-
 const std::vector<Value>& Equations::inverse_dynamics() const {
-  if (!derived_.inverse) derived_.inverse = inverse_dynamics(Turned::at_once);
+  if (!derived_.inverse) {
+    std::vector<Value> forces = inertia_and_passive(AccelerationInput::symbols);
+    const auto of_unknowns = [this](const std::vector<Value>& all) {
+      return count(*program_, {all.begin(), all.begin() + model_.unknown_count()}).total();
+    };
+    if (few_unknowns()) {
+      std::vector<Value> expanded = expanded_inverse_dynamics(forces);
+      if (of_unknowns(expanded) < of_unknowns(forces)) forces = std::move(expanded);
+    }
+    for (const ConstraintRow& row : constraints()) {
+      const Value lambda = program_->symbol(row.multiplier);
+      for (std::size_t i = 0; i < forces.size(); ++i) {
+        if (!row.column[i].is_zero()) forces[i] -= row.column[i] * lambda;
+      }
+    }
+    derived_.inverse = std::move(forces);
+  }
   return *derived_.inverse;
 }
 
-std::vector<Value> Equations::inverse_dynamics_of_motion() const {
-  if (!model_.without_lines().has_absolute_turns()) return inverse_dynamics();
-  return inverse_dynamics(Turned::joint_by_joint);
-}
-
-std::vector<Value> Equations::inverse_dynamics(Turned turned) const {
-  std::vector<Value> forces = inertia_and_passive(AccelerationInput::symbols, turned);
-  const auto of_unknowns = [this](const std::vector<Value>& all) {
-    return count(*program_, {all.begin(), all.begin() + model_.unknown_count()}).total();
-  };
-  if (few_unknowns()) {
-    std::vector<Value> expanded = expanded_inverse_dynamics(forces, turned);
-    if (of_unknowns(expanded) < of_unknowns(forces)) forces = std::move(expanded);
-  }
-  for (const ConstraintRow& row : constraints()) {
-    const Value lambda = program_->symbol(row.multiplier);
-    for (std::size_t i = 0; i < forces.size(); ++i) {
-      if (!row.column[i].is_zero()) forces[i] -= row.column[i] * lambda;
-    }
-  }
-  return forces;
-}
-
-std::vector<Value> Equations::expanded_inverse_dynamics(const std::vector<Value>& recursive, Turned turned) const {
-  std::vector<Value> forces = recursive, of_motion;
+std::vector<Value> Equations::expanded_inverse_dynamics(const std::vector<Value>& recursive) const {
+  std::vector<Value> forces = recursive;
   for (std::size_t i = 0; i < mass().size(); ++i) {
-    if (turned == Turned::joint_by_joint && of_motion.empty()) of_motion = bias_of_motion();
-    forces[i] = of_motion.empty() ? bias()[i] : of_motion[i];
+    forces[i] = bias()[i];
     for (std::size_t j = 0; j < mass().size(); ++j) {
       if (mass()[i][j].is_zero()) continue;
       const Value acceleration = program_->symbol(model_.coordinates()[j].a);
@@ -272,8 +257,7 @@ ForwardSolution Equations::solve(const std::vector<Value>& force, const std::vec
 const ForwardSolution& Equations::forward_by_factorisation() const {
   if (derived_.factored) return *derived_.factored;
   std::vector<Value> force = of_inputs();
-  const std::vector<Value> h = bias_of_motion();
-  for (std::size_t i = 0; i < force.size(); ++i) force[i] = program_->bind(force[i] - h[i]);
+  for (std::size_t i = 0; i < force.size(); ++i) force[i] = program_->bind(force[i] - bias()[i]);
   std::vector<Value> gamma;
   for (const ConstraintRow& row : constraints()) gamma.push_back(row.gamma);
   derived_.factored = solve(force, gamma);

@@ -42,8 +42,6 @@ class Equations {
   /// M q̈ + h − Σ λ_j column_j, every coordinate: by one recursion, or from M and h where that has fewer operations, as
   /// in coordinates that M does not couple.
   const std::vector<Value>& inverse_dynamics() const;
-  /// The same as `forward` has it: of absolute angles gravity comes joint by joint, see Turned.
-  std::vector<Value> inverse_dynamics_of_motion() const;
   /// Unknowns only: by the method that the options ask for, or the cheapest, unless that loses digits where a light link
   /// carries a heavy one (forward_choice.hpp). Throws SceneError that names the massless coordinates when there are any.
   const ForwardSolution& forward() const;
@@ -67,11 +65,9 @@ class Equations {
 
  private:
   bool few_unknowns() const;
-  std::vector<Value> inertia_and_passive(AccelerationInput input, Turned turned = Turned::at_once) const;
+  std::vector<Value> inertia_and_passive(AccelerationInput input) const;
   /// M q̈ + h from its parts, of the unknowns; released coordinates as `recursive` has them.
-  std::vector<Value> expanded_inverse_dynamics(const std::vector<Value>& recursive, Turned turned) const;
-  std::vector<Value> inverse_dynamics(Turned turned) const;
-  std::vector<Value> bias_of_motion() const;
+  std::vector<Value> expanded_inverse_dynamics(const std::vector<Value>& recursive) const;
   const MotionSolver& solver() const;
   std::vector<Value> efforts() const;  ///< of inputs and passive actions, unknowns only
   bool recursion_possible() const;

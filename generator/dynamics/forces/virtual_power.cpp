@@ -126,10 +126,9 @@ bool moves_by_several(const BodyTree& tree) {
   return std::any_of(links.begin(), links.end(), [](const Link& link) { return link.partials.size() > 1; });
 }
 
-std::vector<Value> inertia_forces(const BodyTree& tree, AccelerationInput input, const std::map<int, Wrench>& wrenches,
-                                  Turned turned) {
+std::vector<Value> inertia_forces(const BodyTree& tree, AccelerationInput input, const std::map<int, Wrench>& wrenches) {
   const std::vector<Axes> axes = cheapest_axes(tree, wrenches);
-  std::vector<Acceleration> motion = accelerations(tree, input, axes, turned);
+  std::vector<Acceleration> motion = accelerations(tree, input, axes);
   return along_coordinates(tree, joint_wrenches(tree, motion, axes, wrenches));
 }
 

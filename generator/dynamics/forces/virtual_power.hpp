@@ -14,8 +14,7 @@ namespace torsor {
 /// Luh, Walker & Paul, On-line computational scheme for mechanical manipulators, 1980).
 /// `wrenches`: applied wrenches by link, as BodyTree::applied takes them. By itself a tree without lines of mass costs
 /// least.
-std::vector<Value> inertia_forces(const BodyTree& tree, AccelerationInput input, const std::map<int, Wrench>& wrenches,
-                                  Turned turned = Turned::at_once);
+std::vector<Value> inertia_forces(const BodyTree& tree, AccelerationInput input, const std::map<int, Wrench>& wrenches);
 
 /// Dynamic screw of a link at its origin minus gravity: {m (Γ − g) + U h, δ_O}. The moment J Ω̇ + Ω ∧ J Ω is written
 /// with U = [Ω̇] + [Ω][Ω], whose entries the resultant needs anyhow:

@@ -194,44 +194,25 @@ int common_ancestor(const std::vector<Link>& links, int a, int b) {
 /// of their angles, so that absolute angles come out as they are and relative ones are turned by once.
 std::vector<Link> BodyTree::runs(int link, int top) const {
   std::vector<Link> all;
-  for (int k = link; k != top; k = all.back().parent) {
-    all.push_back(run_to(k, top));
-    if (all.back().parent == links_[static_cast<std::size_t>(k)].parent) continue;
-    all.back().sine = program_->sin(all.back().angle);
-    all.back().cosine = program_->cos(all.back().angle);
+  for (int k = link; k != top;) {
+    Link run = links_[static_cast<std::size_t>(k)];
+    bool merged = false;
+    for (k = run.parent; k != top; k = run.parent) {
+      Link outer = links_[static_cast<std::size_t>(k)];
+      const bool parallel = run.turn == Turn::aligned && outer.turn == Turn::aligned && run.aligned == outer.aligned &&
+                            run.placement_rotation.is_identity();
+      if (!parallel) break;
+      outer.angle += run.angle;
+      run = outer;
+      merged = true;
+    }
+    if (merged) {
+      run.sine = program_->sin(run.angle);
+      run.cosine = program_->cos(run.angle);
+    }
+    all.push_back(std::move(run));
   }
   return all;
-}
-
-/// The last of them, with the sine and cosine of its first joint.
-Link BodyTree::run_to(int link, int top) const {
-  Link run = links_[static_cast<std::size_t>(link)];
-  while (run.parent != top) {
-    Link outer = links_[static_cast<std::size_t>(run.parent)];
-    const bool parallel = run.turn == Turn::aligned && outer.turn == Turn::aligned && run.aligned == outer.aligned &&
-                          run.placement_rotation.is_identity();
-    if (!parallel) break;
-    outer.angle += run.angle;
-    run = outer;
-  }
-  return run;
-}
-
-std::optional<Link> BodyTree::absolute_turn(int link) const {
-  const Link& own = links_[static_cast<std::size_t>(link)];
-  if (own.turn != Turn::aligned || own.angle.polynomial().terms().size() < 2) return std::nullopt;
-  Link run = run_to(link, 0);
-  if (run.angle.polynomial().terms().size() >= own.angle.polynomial().terms().size()) return std::nullopt;
-  run.sine = program_->sin(run.angle);
-  run.cosine = program_->cos(run.angle);
-  return run;
-}
-
-bool BodyTree::has_absolute_turns() const {
-  for (std::size_t k = 1; k < links_.size(); ++k) {
-    if (absolute_turn(static_cast<int>(k))) return true;
-  }
-  return false;
 }
 
 Vector BodyTree::express(const Vector& v, int from, int to) const {

@@ -125,10 +125,6 @@ class BodyTree {
   /// Of the links of a unit quaternion, which share place and axes, the last: it has the twist of those axes. Any other
   /// link is its own.
   std::size_t turning_link(std::size_t link) const;
-  /// The joints in a row that turn about one axis, down to that of a link, as a single one by the sum of their angles; nothing
-  /// where the sum has no fewer terms than the link's own angle, as one between absolute angles has.
-  std::optional<Link> absolute_turn(int link) const;
-  bool has_absolute_turns() const;
   /// Chain of links from the first after the ground down to `link`.
   std::vector<int> chain(int link) const;
 
@@ -171,7 +167,6 @@ class BodyTree {
 
  private:
   std::vector<Link> runs(int link, int top) const;
-  Link run_to(int link, int top) const;
 };
 
 /// Moves to the parent the part of each link's inertia that a turn about its axis leaves alone (a mass distributed on

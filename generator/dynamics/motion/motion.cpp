@@ -71,41 +71,10 @@ Vector Acceleration::u_times(const Vector& v) {
 
 namespace {
 
-/// Joints in a row by absolute angles turn about one axis. What accelerates their common base, gravity above all, is turned into
-/// each of their links at once.
-class AbsoluteTurns {
- public:
-  AbsoluteTurns(const BodyTree& tree, const std::vector<Axes>& axes, Turned turned)
-      : turns_(tree.links().size()), base_(tree.links().size(), -1) {
-    for (std::size_t k = 1; turned == Turned::at_once && k < turns_.size(); ++k) {
-      const std::optional<Link> turn = tree.absolute_turn(static_cast<int>(k));
-      if (!turn) continue;
-      // In their own axes, and in no row that begins elsewhere.
-      bool own = true;
-      for (std::size_t j = k; static_cast<int>(j) != turn->parent; j = parent(tree, j))
-        own = own && axes[j] == Axes::own && (base_[j] < 0 || base_[j] == turn->parent);
-      if (!own) continue;
-      turns_[k] = turn;
-      for (std::size_t j = k; static_cast<int>(j) != turn->parent; j = parent(tree, j)) base_[j] = turn->parent;
-    }
-  }
-
-  /// The link that carries the first of the joints that link k is turned by in a row; none: it is turned by its own alone.
-  std::optional<std::size_t> base(std::size_t k) const {
-    return base_[k] < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(base_[k]));
-  }
-  const std::optional<Link>& of(std::size_t k) const { return turns_[k]; }
-
- private:
-  static std::size_t parent(const BodyTree& tree, std::size_t k) { return static_cast<std::size_t>(tree.links()[k].parent); }
-  std::vector<std::optional<Link>> turns_;
-  std::vector<int> base_;
-};
-
 /// How the recursion below gets s̈ of joint k, and what it leaves the link with.
 enum class JointMotion { symbols, zero, reference };
 
-std::vector<Acceleration> recursion(const BodyTree& tree, JointMotion joints, const std::vector<Axes>& axes, Turned turned,
+std::vector<Acceleration> recursion(const BodyTree& tree, JointMotion joints, const std::vector<Axes>& axes,
                                     std::vector<Value>* reference) {
   Program& program = tree.program();
   const auto from_parent = [&](std::size_t k, const Vector& v) {
@@ -126,8 +95,6 @@ std::vector<Acceleration> recursion(const BodyTree& tree, JointMotion joints, co
   std::vector<Acceleration> all;
   all.reserve(tree.links().size());
   const Vector upward = tree.upward_gravity();
-  const AbsoluteTurns turns(tree, axes, turned);
-  std::vector<Vector> of_base(tree.links().size()), beyond(tree.links().size());  // the parts of an acceleration there
   all.emplace_back(program, "ground", Vector(), Vector(), upward);
   for (std::size_t k = 1; k < tree.links().size(); ++k) {
     const Link& link = tree.links()[k];
@@ -135,10 +102,7 @@ std::vector<Acceleration> recursion(const BodyTree& tree, JointMotion joints, co
     const Value s_dot = link.rate;
     const Value s_ddot = joints == JointMotion::symbols ? link.acceleration : at_rest(link.acceleration);
     const Vector origin = bound(program, tree.arm(link));
-    const std::optional<std::size_t> base = turns.base(k);
-    const auto above = static_cast<std::size_t>(link.parent);
-    Vector linear = !base ? parent.linear() : *base == above ? Vector() : beyond[above];
-    linear += parent.u_times(origin);
+    Vector linear = parent.linear() + parent.u_times(origin);
     Vector omega = from_parent(k, parent.omega());
     Vector angular = from_parent(k, parent.angular());
     if (link.joint == JointKind::prismatic) {
@@ -147,13 +111,6 @@ std::vector<Acceleration> recursion(const BodyTree& tree, JointMotion joints, co
       linear += s_ddot * axis;
     }
     linear = from_parent(k, bound(program, linear));
-    if (base) {
-      const std::optional<Link>& turn = turns.of(k);
-      const Vector& carried_by = *base == above ? parent.linear() : of_base[above];
-      of_base[k] = bound(program, turn ? tree.from_parent(*turn, all[*base].linear()) : tree.from_parent(link, carried_by));
-      beyond[k] = bound(program, linear);
-      linear = beyond[k] + of_base[k];
-    }
     if (link.joint == JointKind::revolute) {
       // Ω̇ = Ω̇_parent + s̈ n + ṡ Ω_parent ∧ n: the turn of the axis with the parent.
       if (link.in_group == 0) carried = omega;
@@ -173,15 +130,14 @@ std::vector<Acceleration> recursion(const BodyTree& tree, JointMotion joints, co
 
 }  // namespace
 
-std::vector<Acceleration> accelerations(const BodyTree& tree, AccelerationInput input, const std::vector<Axes>& axes,
-                                        Turned turned) {
-  return recursion(tree, input == AccelerationInput::zero ? JointMotion::zero : JointMotion::symbols, axes, turned, nullptr);
+std::vector<Acceleration> accelerations(const BodyTree& tree, AccelerationInput input, const std::vector<Axes>& axes) {
+  return recursion(tree, input == AccelerationInput::zero ? JointMotion::zero : JointMotion::symbols, axes, nullptr);
 }
 
 ReferenceMotion reference_motion(const BodyTree& tree, const std::vector<Axes>& axes) {
   ReferenceMotion motion;
   motion.joints.resize(tree.links().size());
-  motion.links = recursion(tree, JointMotion::reference, axes, Turned::joint_by_joint, &motion.joints);
+  motion.links = recursion(tree, JointMotion::reference, axes, &motion.joints);
   return motion;
 }
 

@@ -46,17 +46,10 @@ enum class AccelerationInput {
 /// Axes in which a link's vectors are written: its own, or its joint's fixed axes, which do not turn with the angle.
 enum class Axes { own, unturned };
 
-/// How what accelerates the base of joints in a row by absolute angles comes into their links.
-enum class Turned {
-  at_once,         ///< by the link's own angle: through the others it would have their roundings
-  joint_by_joint,  ///< for those who solve for accelerations, which are small differences of what all links have in common
-};
-
 /// Accelerations of all links at (q, q̇, q̈), gravity included as an upward acceleration of the ground; those of points
 /// are over the tree's length unit, where it has one. `axes` of each
 /// link (only a link without children may have unturned ones).
-std::vector<Acceleration> accelerations(const BodyTree& tree, AccelerationInput input, const std::vector<Axes>& axes,
-                                        Turned turned = Turned::at_once);
+std::vector<Acceleration> accelerations(const BodyTree& tree, AccelerationInput input, const std::vector<Axes>& axes);
 
 /// A motion of the joints that makes accelerations cheap, for those who find another one by its difference: of a turn
 /// with an unknown about an aligned axis, q̈ cancels the link's angular acceleration along it; of any other joint with

@@ -104,7 +104,7 @@ ValueMatrix regressor(const Model& model) {
   const std::vector<std::size_t> links = links_with_inertia(model);
   const BodyTree tree = model.options().passes.length_unit ? in_length_unit(model) : BodyTree(model);
   const std::vector<Axes> axes(tree.links().size(), Axes::own);
-  std::vector<Acceleration> motion = accelerations(tree, AccelerationInput::symbols, axes, Turned::joint_by_joint);
+  std::vector<Acceleration> motion = accelerations(tree, AccelerationInput::symbols, axes);
   const std::vector<bool> rotor = rotor_links(model);
   std::vector<Value> entries;
   for (int i = 0; i < model.unknown_count(); ++i) {
