@@ -118,16 +118,16 @@ class ContactRun {
     }
   }
 
-  /// Whether the two-hundredth part of the events that are allowed has taken so little time that a hundred times all of them
+  /// Whether the two-thousandth part of the events that are allowed has taken so little time that a hundred times all of them
   /// would not reach the end, and no less than the part before, as bounces do that accumulate: regimes alternate then, and it
   /// would take hours to count to the limit.
   bool leads_nowhere(double t1) noexcept {
-    const long long many = std::max(100LL, automaton_.options().event_limit / 200);
+    const long long many = std::max(100LL, automaton_.options().event_limit / 2000);
     if (pieces_ < pace_.pieces + many) return false;
     const double time = automaton_.result().time, gone = time - pace_.time;
     const bool fades = gone < 0.999 * pace_.gone, first = pace_.pieces == 0;
     pace_ = {pieces_, time, gone};
-    return !first && !fades && 100 * 200 * gone < t1 - time;
+    return !first && !fades && 100 * 2000 * gone < t1 - time;
   }
 
   bool advance_to_event(double t1) {
