@@ -26,16 +26,6 @@ Stage stage_of_symbol(SymbolKind kind) {
   return Stage::call;
 }
 
-
-/// Whether a definition depends on more than parameters.
-bool moves(Program& program, ValueNumber value_number) {
-  const std::vector<ValueNumber> made_of = program.live({program.value_of_number(value_number)});
-  return std::any_of(made_of.begin(), made_of.end(), [&program](ValueNumber number) {
-    const SymbolPointer& symbol = program[number].symbol;
-    return symbol && symbol->kind != SymbolKind::parameter && symbol->kind != SymbolKind::pi;
-  });
-}
-
 }  // namespace
 
 Program::Program(Resolver resolver, const Passes& passes) : resolver_(std::move(resolver)), passes_(passes) {}
@@ -284,7 +274,7 @@ std::optional<Value> Program::root_of_square(const Value& square) {
     const std::optional<Function> function = (*this)[factor.value_number].function;
     const bool positive = function == Function::sqrt || function == Function::exp || function == Function::abs;
     const int odd = positive ? 0 : half % 2;
-    if (odd != 0 && !moves(*this, factor.value_number)) return std::nullopt;
+    if (odd != 0 && (*this)[factor.value_number].stage <= Stage::parameters) return std::nullopt;
     if (odd != 0) signless.push_back({factor.value_number, odd});
     if (half != odd) plain.push_back({factor.value_number, half - odd});
   }

@@ -187,7 +187,7 @@ class FactoredRecursion {
     }
     tip.velocity = link.joint == JointKind::revolute ? cross(link.axis, tip.arm) : link.axis;
     const Value square = dot(tip.velocity, tip.velocity);
-    if (moves(square)) return tip;
+    if (program_.stage(square) > Stage::parameters) return tip;
     tip.square = square;
     int count = 0;
     for (int i = 0; i < 3; ++i) {
@@ -199,15 +199,6 @@ class FactoredRecursion {
     return tip;
   }
 
-  /// Whether it depends on more than parameters.
-  bool moves(const Value& value) const {
-    if (value.is_zero() || value.is_constant()) return false;
-    const std::vector<ValueNumber> made_of = program_.live({value});
-    return std::any_of(made_of.begin(), made_of.end(), [this](ValueNumber number) {
-      const SymbolPointer& symbol = program_[number].symbol;
-      return symbol && symbol->kind != SymbolKind::parameter && symbol->kind != SymbolKind::pi;
-    });
-  }
 
   /// X_j, and what it does to the tip.
   struct UnitMotion {
