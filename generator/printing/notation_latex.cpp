@@ -181,7 +181,7 @@ std::string sign_latex(const WrittenTerm& term, bool first) {
 
 std::string latex(const Written& written) {
   std::string result;
-  for (const WrittenTerm& term : written) {
+  for (const WrittenTerm& term : with_parts_of_numbers(written)) {
     if (!result.empty()) result += " ";
     result += sign_latex(term, result.empty()) + term_latex(term);
   }

@@ -67,7 +67,7 @@ class LineBreaker {
  private:
   void add(const Written& written) {
     bool first = true;
-    for (const WrittenTerm& term : written) {
+    for (const WrittenTerm& term : with_parts_of_numbers(written)) {
       add(term, first);
       first = false;
     }

@@ -82,7 +82,7 @@ std::string sign_text(const WrittenTerm& term, bool first) {
 
 std::string text(const Written& written) {
   std::string result;
-  for (const WrittenTerm& term : written) {
+  for (const WrittenTerm& term : with_parts_of_numbers(written)) {
     if (!result.empty()) result += " ";
     result += sign_text(term, result.empty()) + term_text(term);
   }
@@ -103,7 +103,7 @@ std::string text_lines(const Written& written, std::size_t first_column, const s
     result += piece;
     column += piece.size();
   };
-  for (const WrittenTerm& term : written) {
+  for (const WrittenTerm& term : with_parts_of_numbers(written)) {
     std::string piece = sign_text(term, result.empty()) + term_text(term);
     // A term that no line can hold is broken inside its parentheses.
     while (piece.size() + indent.size() > width) {

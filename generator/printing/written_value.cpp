@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/printing/written.hpp"
 #include "torsor/generator/program/function_values.hpp"
@@ -32,6 +35,26 @@ Real of_factor(const WrittenFactor& factor, const std::function<Real(const Symbo
 }
 
 }  // namespace
+
+Written with_parts_of_numbers(const Written& written) {
+  constexpr int parts = 4;
+  Written apart;
+  for (const WrittenTerm& term : written) {
+    if (!term.factors.empty() || term.coefficient.is_rational()) {
+      apart.push_back(term);
+      continue;
+    }
+    const auto begin = static_cast<Written::difference_type>(apart.size());
+    for (int i = 0; i < parts; ++i) {
+      std::array<cln::cl_RA, parts> alone{0, 0, 0, 0};
+      alone[static_cast<std::size_t>(i)] = term.coefficient.part(i);
+      const Number part = Number::from_parts(alone[0], alone[1], alone[2], alone[3]);
+      if (!part.is_zero()) apart.push_back({part, {}});
+    }
+    std::stable_partition(apart.begin() + begin, apart.end(), [](const WrittenTerm& part) { return part.coefficient.sign() > 0; });
+  }
+  return apart;
+}
 
 std::string name_on_paper(const WrittenFactor& call) {
   return call.tangent ? "tan" : call.least ? "min" : std::string(to_string(call.base->function));
