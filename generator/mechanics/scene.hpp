@@ -328,7 +328,8 @@ class Scene {
   /// An ideal joint between two frames that closes a loop. Its axes are those of the frames: a revolute joint turns
   /// about x of both. Each locked direction is one constraint. <name>_x, _y, _z hold AB along the axes of a, and
   /// their multipliers are components of the force on b. <name>_rx, _ry, _rz hold the orientation, and their
-  /// multipliers are components of the moment on b about the axes of a.
+  /// multipliers are components of the moment on b about the axes of a. A line contact has one, <name>_ry, about
+  /// z_a ∧ x_b, and a universal joint one, <name>_r, about x_a ∧ y_b.
   /// Equation: of a revolute joint AB = 0, x_b · y_a = 0, x_b · z_a = 0; other joints leave out what moves along
   /// their freedoms.
   std::vector<ConstraintHandle> loop_joint(const std::string& name, const LoopJoint& joint);
