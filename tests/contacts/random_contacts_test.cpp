@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -122,7 +121,7 @@ class Polyhedra {
         if (!law.slips) add(G, h, to * uT, to * qT);
       }
     }
-    Eigen::ColPivHouseholderQR<MatrixXd> equations(A);
+    Eigen::FullPivLU<MatrixXd> equations(A);
     equations.setThreshold(1e-9);
     const VectorXd point = equations.solve(b);
     if ((A * point - b).norm() > 1e-7 * (1 + point.norm())) return;  // none, whatever else holds
@@ -137,16 +136,14 @@ class Polyhedra {
       for (Eigen::Index k = 0; k < tight; ++k) {
         if (chosen >> k & 1U) add(C, d, G.row(k).transpose(), h(k));
       }
-      Eigen::ColPivHouseholderQR<MatrixXd> qr(C);
-      qr.setThreshold(1e-9);
-      const VectorXd r = qr.solve(d);
-      if (qr.rank() == n_) {
+      Eigen::FullPivLU<MatrixXd> lu(C);
+      lu.setThreshold(1e-9);
+      const VectorXd r = lu.solve(d);
+      if (lu.rank() == n_) {
         const double size = 1 + r.norm();
         if ((C * r - d).norm() < 1e-8 * size && (G * r - h).minCoeff() > -1e-8 * size && size < 1e7)
           vertices.push_back(r);
-      } else if (qr.rank() == n_ - 1) {
-        Eigen::FullPivLU<MatrixXd> lu(C);
-        lu.setThreshold(1e-9);
+      } else if (lu.rank() == n_ - 1) {
         const VectorXd ray = lu.kernel().col(0).normalized();
         for (const double sign : {1.0, -1.0}) {
           if ((G * (sign * ray)).minCoeff() > -1e-8) {
