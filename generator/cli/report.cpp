@@ -160,7 +160,7 @@ Motion motion_of(const Scene& scene, const ReportOptions& options) {
   const bool constrained = !content.constraints.empty();
   constexpr std::size_t most = 12;  // coordinates whose modes a reader looks at one by one
   if (constrained) names.emplace_back("constraints");  // and M: projection in its metric
-  const bool modes = content.attitudes.empty() && content.coordinates.size() <= most;
+  const bool modes = content.coordinates.size() + 3 * content.attitudes.size() <= most;
   if (constrained || modes) names.emplace_back("mass_matrix");
   const ModelOptions left_to_reader = options_of_motion(scene, given);
   const MechanismListing mechanism = lower_mechanism(scene, names, left_to_reader);
@@ -173,7 +173,7 @@ Motion motion_of(const Scene& scene, const ReportOptions& options) {
   motion.module = module_as_object(emit_javascript(mechanism));
   motion.given = given_values(scene, mechanism.equations->model(), options);
   motion.invented = fmt::format("{}", fmt::join(without_value(content), ", "));
-  if (modes && !constrained) motion.varies_in_time = equilibrium_equations(Equations(scene, left_to_reader)).depends_on_time;
+  if (modes) motion.varies_in_time = equilibrium_equations(Equations(scene, left_to_reader)).depends_on_time;
   return motion;
 }
 
@@ -300,7 +300,8 @@ std::string report_html(const Scene& scene, const ReportOptions& options) {
       without_long_sections(markup([&] { return print_equations(scene, Format::html, print); }, about), "equations", say);
   std::string scripts;
   scripts += script("mechanism", "globalThis.torsorMechanism = " + motion.module + ";\n" +
-                                     (motion.varies_in_time ? "torsorMechanism.variesInTime = true;\n" : ""));
+                                     (motion.varies_in_time ? "torsorMechanism.variesInTime = true;\n" : "") +
+                                     (content.frictions.empty() ? "" : "torsorMechanism.rubsAtRest = true;\n"));
   scripts += fmt::format("<script id=\"scene\" type=\"application/json\">{}</script>\n",
                          inside_json(report_data(scene, options.duration)));
   if (options.meshes) {

@@ -71,7 +71,7 @@ function row(parent, { name, unit, value, low, high, change }) {
   const line = document.createElement("div"), text = document.createElement("span"), slider = document.createElement("input");
   const number = document.createElement("input"), units = document.createElement("span");
   line.className = "row";
-  text.textContent = name;
+  name.split(/(?<=_)/).forEach((part) => text.append(part, document.createElement("wbr")));  // long names break behind _
   units.textContent = written(unit);
   Object.assign(slider, { type: "range", min: low, max: high, step: "any", value });
   Object.assign(number, { type: "number", step: "any", value: Number(value.toPrecision(6)) });
@@ -258,8 +258,10 @@ function findRest() {
   }
   const stable = small.modes.every(({ square, neutral }) => neutral || square > 0);
   const place = mechanism.coordinates.map((each, i) => `${each.name} = ${label(small.q[i])}`).join(", ");
-  element("rest").textContent = `«A rest, »${stable ? "«where the potential energy has a minimum along all that is not neutral»" : "«unstable without gyroscopic forces»"}: ${place}. ` +
-    "«Modes leave damping and gyroscopic forces out.»";
+  const { zeroRoots } = small, lowest = zeroRoots ? "«where all that is not neutral swings»" : "«where the potential energy has a minimum along all that is not neutral»";
+  element("rest").textContent = `«A rest, »${stable ? lowest : "«unstable without gyroscopic forces»"}: ${place}. ` +
+    "«Modes leave damping and gyroscopic forces out.»" + (small.modes.some(({ damping }) => damping) ? "« Damping ratios are right to first order in damping.»" : "") +
+    (zeroRoots ? `« Beside these modes there are ${zeroRoots} zero roots: constraints on velocities let the mechanism rest at neighbouring places too.»` : "");
   small.modes.forEach((each, i) => {
     const button = document.createElement("button");
     button.type = "button";
@@ -267,10 +269,10 @@ function findRest() {
     button.addEventListener("click", () => {
       pause();
       // Seen at a pace that the eye follows: at most two swings a second. The largest angle is 0.4 rad.
-      const limit = (unit) => (unit === "m" ? 0.3 * (picture?.size ?? 1) : 0.4);
-      const size = Math.min(...mechanism.coordinates.map((c, k) => limit(c.unit) / Math.max(Math.abs(each.shape[k]), 1e-300)));
+      const limit = (unit) => (unit === "m/s" ? 0.3 * (picture?.size ?? 1) : 0.4);
+      const size = Math.min(...mechanism.velocities.map((c, k) => limit(c.unit) / Math.max(Math.abs(each.shape[k]), 1e-300)));
       const rate = each.square > 0 && !each.neutral ? Math.min(4 * Math.PI, Math.max(1, Math.sqrt(each.square))) : 2;
-      mode = { rest: small.q, shape: each.shape.map((value) => value * size), rate, phase: 0, number: i + 1 };
+      mode = { small, shape: each.shape.map((value) => value * size), rate, phase: 0, number: i + 1 };
     });
     buttons.append(button);
   });
@@ -279,8 +281,7 @@ function findRest() {
 /// The mechanism swinging in a mode.
 function showMode(passed) {
   mode.phase += passed * mode.rate * Number(element("speed").value);
-  const y = new Float64Array(motion.nq + motion.nv);
-  mode.rest.forEach((value, i) => { y[i] = value + mode.shape[i] * Math.sin(mode.phase); });
+  const y = mode.small.posed(mode.shape.map((value) => value * Math.sin(mode.phase)));
   const here = motion.members("poses", 0, y);
   viewer.target = picture.framing.followed(here, viewer.target);
   viewer.draw(picture.at(here, [], viewer.target));

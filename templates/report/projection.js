@@ -72,6 +72,8 @@ class Projection {
     Object.assign(this, { mechanism, precomputed });
     this.nq = mechanism.coordinates.length;
     this.nv = mechanism.velocities.length;
+    this.rates = new Float64Array(this.nq);
+    this.state = new Float64Array(mechanism.stateSize);
     const kernel = mechanism.kernels.find((each) => each.name === "constraints");
     if (!kernel) return;
     const result = kernel.results[0];
@@ -79,8 +81,6 @@ class Projection {
     this.result = new Float64Array(result.size);
     this.at = Object.fromEntries(result.members.map((member) => [member.name, member.offset]));
     this.mass = new Float64Array(this.nv * this.nv);
-    this.rates = new Float64Array(this.nq);
-    this.state = new Float64Array(mechanism.stateSize);
     this.holonomic = this.usual = null;
   }
 

@@ -48,7 +48,8 @@ class Picture {
     const low = [0, 1, 2].map((i) => Math.min(...places.map((p) => p[i])));
     const high = [0, 1, 2].map((i) => Math.max(...places.map((p) => p[i])));
     const middle = scaled(add(low, high), 0.5);
-    const extents = scene.bodies.map((_, k) => {
+    const extents = scene.bodies.map((body, k) => {
+      if (this.ofAuthor.has(scene.frames[body.frame].body)) return 0;  // no ellipsoid is drawn
       const m = poses.masses[k], trace = poses.inertias[6 * k] + poses.inertias[6 * k + 1] + poses.inertias[6 * k + 2];
       return m > 0 && trace > 0 ? Math.sqrt((1.5 * trace) / m) : 0;
     });

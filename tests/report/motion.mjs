@@ -62,6 +62,20 @@ if (name === "double_pendulum") {
     if (!(Math.abs(slow[1] / slow[0] - Math.SQRT2) < 1e-8)) failures.push(`the slow mode is ${slow}`);
   }
 }
+// The upright bicycle at rest falls with the roots of Meijaard, Papadopoulos, Ruina and Schwab (Proc. R. Soc. A 463, 2007).
+if (name === "whipple_bicycle") {
+  const start = new torsorReport.Motion(mechanism), small = new torsorReport.SmallMotions(start, start.samples[0].slice(0, start.nq));
+  const rates = small.modes.filter(({ square, neutral }) => !neutral && square < 0).map(({ square }) => Math.sqrt(-square));
+  const wanted = [5.53094371765393, 3.13164324790656];
+  if (rates.length !== 2 || rates.some((each, i) => Math.abs(each - wanted[i]) > 1e-6)) failures.push(`it falls with ${rates}: ${small.why}`);
+  if (small.zeroRoots !== 4) failures.push(`rolling leaves ${small.zeroRoots} zero roots`);
+}
+// A hoop that stands: (A + m R^2) theta'' = m g R theta with A = m R^2/2. It turns about its contact and rolls for nothing.
+if (name === "rolling_hoop") {
+  const small = new torsorReport.SmallMotions(new torsorReport.Motion(mechanism), [0, 0, 0, 1.3, 0]), [falls, ...rest] = small.modes;
+  if (!(Math.abs(falls?.square + 9.81 / 1.5) < 1e-7)) failures.push(`it falls with ${falls?.square}: ${small.why}`);
+  if (rest.length !== 2 || !rest.every(({ neutral }) => neutral) || small.zeroRoots !== 2) failures.push(`${rest.length} modes more, ${small.zeroRoots} zero roots`);
+}
 // The first view holds every ellipsoid of inertia, disc and ball, on a wide screen and on a narrow one.
 const poses = new torsorReport.Motion(mechanism).evaluate("poses", 0);
 const picture = new torsorReport.Picture(JSON.parse(/<script id="scene" type="application\/json">(.*?)<\/script>/.exec(page)[1]), poses);
