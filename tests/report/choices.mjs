@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // choices.mjs PROGRAMS FOLDER: what a page makes of laws of time, of parameters that follow others or have no value, and of
 // start values that constraints do not allow; modes with constraints and attitudes. PROGRAMS is the folder of shaken_scene,
-// following_scene, elastic_scene, four_bar_scene, skate_scene, floating_scene and rising_scene.
+// following_scene, elastic_scene, four_bar_scene, crank_rocker_scene, skate_scene, floating_scene and rising_scene.
 import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -66,6 +66,12 @@ function opened(name, ...options) {
   expect(near(small.modes.map((mode) => mode.square), [square], 1e-8), `its omega^2 is ${small.modes[0]?.square} instead of ${square}`);
   const shape = small.modes[0].shape, pose = small.posed(shape.map((value) => 0.4 * value / shape[0]));
   expect(Math.abs(pose[0] + pose[1]) < 1e-12 && Math.abs(pose[0] - pose[2]) < 1e-12 && small.zeroRoots === 0, `a mode opens the loop: ${pose}`);
+}
+{  // U(turn) with the loop closed for each angle, its second derivative by differences in 40 digits, over the inertia reduced to turn.
+  const { mechanism, Motion, SmallMotions } = opened("crank_rocker"), motion = new Motion(mechanism);
+  const small = new SmallMotions(motion, motion.samples[0].slice(0, 3)), [mode] = small.modes;
+  expect(near(small.q, [-1.455408998584992, -0.5200434287409246, -1.683625870840726], 1e-9), `it hangs at ${small.q}: ${small.why}`);
+  expect(small.modes.length === 1 && Math.abs(mode.square - 8.4750787224662) < 1e-8, `it swings with omega^2 = ${mode?.square}`);
 }
 {  // K/(J + m a^2) and k/m: the edge takes y along with the heading, and leaves a zero root. c/(2 sqrt(k m)) is the damping ratio.
   const { scene, mechanism, Motion, Picture, SmallMotions } = opened("skate"), small = new SmallMotions(new Motion(mechanism), [0.1, 0.3, 0.2]);
