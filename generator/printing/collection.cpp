@@ -165,6 +165,12 @@ std::tuple<int, int> rank(const Product& motion, const Layout& layout) {
   return {group, degree};
 }
 
+bool moves_by_itself(const WrittenTerm& term) {
+  return std::any_of(term.factors.begin(), term.factors.end(), [](const WrittenFactor& factor) {
+    return factor.base && factor.base->kind == Base::Kind::symbol && factor.base->level == Level::configuration;
+  });
+}
+
 /// number · common factors · (what remains) · motion.
 WrittenTerm group_term(const Sum& coefficient, const Product& motion) {
   Written groups = by_groups(coefficient, true);
@@ -178,6 +184,14 @@ WrittenTerm group_term(const Sum& coefficient, const Product& motion) {
   if (groups[0].coefficient.sign() < 0) {
     term.coefficient = -term.coefficient;
     for (WrittenTerm& group : groups) group.coefficient = -group.coefficient;
+  }
+  if (is_stretch(rest, true) && groups[0].coefficient.sign() > 0) {  // x + l, as where it is squared
+    const auto moves = [](const WrittenTerm& each) { return moves_by_itself(each); };
+    const auto first = std::find_if(groups.begin(), groups.end(), moves);
+    if (first != groups.end() && first->coefficient.sign() > 0) std::stable_partition(groups.begin(), groups.end(), moves);
+    term.factors.push_back(parenthesised(std::move(groups)));
+    put_in_order(term.factors);
+    return times(std::move(term), motion);
   }
   term.factors.push_back(parenthesised(std::move(groups)));
   return times(std::move(term), motion);
@@ -256,6 +270,47 @@ void name_tangents(Written& written) {
   }
 }
 
+bool same(const Written& a, const Written& b);
+bool same(const WrittenFactor& a, const WrittenFactor& b) {
+  if (!a.base != !b.base || (a.base && compare(*a.base, *b.base) != 0)) return false;
+  if (a.halves != b.halves || a.size != b.size || a.least != b.least || a.tangent != b.tangent) return false;
+  return a.base || same(a.inside, b.inside);
+}
+bool same(const Written& a, const Written& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const WrittenTerm& x, const WrittenTerm& y) {
+    return x.coefficient == y.coefficient && std::equal(x.factors.begin(), x.factors.end(), y.factors.begin(), y.factors.end(),
+                                                        [](const auto& u, const auto& v) { return same(u, v); });
+  });
+}
+
+/// Takes sums in parentheses that all terms share out of them.
+std::vector<WrittenFactor> take_shared_sums(Written& terms) {
+  std::vector<WrittenFactor> shared;
+  const std::vector<WrittenFactor> candidates = terms[0].factors;
+  for (const WrittenFactor& factor : candidates) {
+    const auto is_it = [&](const WrittenFactor& other) { return same(other, factor); };
+    const auto place = [&](WrittenTerm& term) { return std::find_if(term.factors.begin(), term.factors.end(), is_it); };
+    const auto has_it = [&](WrittenTerm& term) { return place(term) != term.factors.end(); };
+    if (factor.base || !std::all_of(terms.begin(), terms.end(), has_it)) continue;
+    for (WrittenTerm& term : terms) term.factors.erase(place(term));
+    shared.push_back(factor);
+  }
+  return shared;
+}
+
+bool has_parentheses(const Written& written) {
+  return std::any_of(written.begin(), written.end(), [](const WrittenTerm& term) {
+    return std::any_of(term.factors.begin(), term.factors.end(), [](const WrittenFactor& factor) { return !factor.base; });
+  });
+}
+
+/// b − a rather than −a + b.
+void lead_by_plus(Written& written) {
+  const auto is_plus = [](const WrittenTerm& term) { return term.coefficient.sign() > 0; };
+  const auto first = std::find_if(written.begin(), written.end(), is_plus);
+  if (first != written.end()) std::rotate(written.begin(), first, first + 1);
+}
+
 /// A lone sum needs no parentheses.
 Written unwrapped(Written written) {
   if (written.size() != 1 || !written[0].coefficient.is_one() || written[0].factors.size() != 1) return written;
@@ -292,6 +347,37 @@ Written collected(const Sum& sum, const Layout& layout) {
   name_minima(result);
   name_tangents(result);
   return result;
+}
+
+Written collected_entry(const Sum& sum) {
+  Written whole = collected(sum);
+  if (whole.size() < 2) return whole;
+  const auto reacts = [](const auto& term) { return level(term.first) == Level::multiplier; };
+  const auto reactions = std::count_if(sum.terms().begin(), sum.terms().end(), reacts);
+  const bool alike = reactions == 0 || reactions == static_cast<std::ptrdiff_t>(sum.size());  // reactions stand beside the rest
+  const Product common = alike ? common_factor(sum) : Product();
+  const Number number = shared_number(sum);
+  Sum rest;
+  for (const auto& [product, value] : sum.terms()) rest.add(product * inverse(common), value / number);
+  Written inside = collected(rest);
+  const std::vector<WrittenFactor> sums = inside.size() < 2 ? std::vector<WrittenFactor>() : take_shared_sums(inside);
+  constexpr std::size_t most = 4;  // terms that are read within parentheses
+  if ((common.empty() && sums.empty()) || inside.size() < 2 || inside.size() > most || has_parentheses(inside)) {
+    if (whole.size() == 2) lead_by_plus(whole);
+    return whole;
+  }
+  lead_by_plus(inside);
+  WrittenTerm term{number, {}};
+  if (is_negative(inside)) {
+    term.coefficient = -term.coefficient;
+    negate(inside);
+  }
+  const auto [motion, still] = split(common, is_dynamic);
+  term.factors = sums;
+  term = times(std::move(term), still);
+  put_in_order(term.factors);
+  term.factors.push_back(parenthesised(std::move(inside)));
+  return {times(std::move(term), motion)};
 }
 
 }  // namespace torsor::printing

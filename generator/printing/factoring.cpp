@@ -45,13 +45,26 @@ bool is_short(const Number& number) {
          cln::denominator(number.part(0)) <= 12;
 }
 
+/// Whether dividing a sum that is linear in coordinates by this number leaves fractions before them, as of 4 x + y.
+bool leaves_fractions(const Sum& sum, const Number& number) {
+  bool fractions = false;
+  for (const auto& [product, coefficient] : sum.terms()) {
+    int degree = 0;
+    for (const Power& power : product) degree += power.base->level >= Level::configuration ? power.halves : 0;
+    if (degree > 2) return false;
+    fractions = fractions || (degree == 2 && !(coefficient / number).is_integer());
+  }
+  return fractions;
+}
+
 /// The number to take out of a sum, with the sign of its first term: of parameters the greatest rational that all
-/// coefficients share, of coordinates the first coefficient, so that X − X0 stays what it is. Only short numbers.
+/// coefficients share, of coordinates the first coefficient, so that X − X0 and x − pi/2 stay what they are. Only short numbers.
 Number common_number(const Sum& sum) {
   const Number& first = sum.terms().begin()->second;
   const Number sign(first.sign());
-  if (level(sum) >= Level::configuration) return is_short(first) ? first : sign;
-  return sign * shared_number(sum);
+  const bool whole = (sign * first).is_one() || !leaves_fractions(sum, first);
+  if (level(sum) < Level::configuration || !whole) return sign * shared_number(sum);
+  return is_short(first) ? first : sign;
 }
 
 /// The base that most terms share, at least two and not all; among equals the one created last: lengths are shared
@@ -124,6 +137,11 @@ WrittenFactor parenthesised(Written inside) {
   WrittenFactor factor;
   factor.inside = std::move(inside);
   return factor;
+}
+
+void put_in_order(std::vector<WrittenFactor>& factors) {
+  std::stable_sort(factors.begin(), factors.end(),
+                   [](const WrittenFactor& a, const WrittenFactor& b) { return place(a) < place(b); });
 }
 
 std::vector<WrittenFactor> written(const Product& product) {
@@ -200,8 +218,7 @@ WrittenTerm as_term(const Sum& sum) {
   if (constants_first(inside) && !root) term.coefficient = -term.coefficient;
   term.factors.push_back(parenthesised(std::move(inside)));
   if (root) term.factors.back().halves = 4;
-  std::stable_sort(term.factors.begin(), term.factors.end(),
-                   [](const WrittenFactor& a, const WrittenFactor& b) { return place(a) < place(b); });
+  put_in_order(term.factors);
   return term;
 }
 

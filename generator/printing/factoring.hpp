@@ -15,6 +15,9 @@ WrittenFactor parenthesised(Written inside);
 /// Factors in the order of writing: lowest level first, functions after the symbols of their level.
 std::vector<WrittenFactor> written(const Product& product);
 
+/// Puts factors where they stand on paper: by level, a sum in parentheses at the place of its first symbol.
+void put_in_order(std::vector<WrittenFactor>& factors);
+
 /// The greatest product of whole powers that divides every term; under the stroke what every term has there.
 Product common_factor(const Sum& sum);
 Product inverse(Product product);

@@ -38,6 +38,7 @@ void write_first_integrals(const Equations& equations, const InlineLimits& limit
   InlineView view(equations.program(), limits, equations.scene().content());
   const NaturalLanguage& say = page.say;
   page.section(say("Painleve's equation and first integrals"));
+  const Spelling constant{say("constant"), say("\\text{constant}")};
   const bool multipliers = !equations.constraints().empty();
   page.formula(say("d(T2 - T0)/dt + dT/dt = sum_i Q_i q_i'{}, dT/dt at constant q and q'.",
                            multipliers ? " + sum_j lambda_j b_j" : ""),
@@ -70,8 +71,14 @@ void write_first_integrals(const Equations& equations, const InlineLimits& limit
                  say("$T_2 - T_0 - U$ is not conserved: {}.", latex_escaped(reasons)));
   }
   for (const FirstIntegral& integral : report.first_integrals) {
-    write({say("constant"), say("\\text{constant}")}, integral.value, meaning(integral, equations, say),
-          is_energy(integral) ? energy_pieces(stretches, -1) : std::vector<KeptPiece>());
+    const Remark remark = meaning(integral, equations, say);
+    if (is_energy(integral)) {
+      write(constant, integral.value, remark, energy_pieces(stretches, -1));
+    } else if (const std::optional<Sum> momentum = view.sum(integral.value)) {
+      page.stated(constant, collected_entry(*momentum), remark);
+    } else {
+      write(constant, integral.value, remark);  // says why not
+    }
   }
   for (const MissingMomentum& missing : missing_momenta(equations, report, say)) {
     const std::string reasons = fmt::format("{}", fmt::join(missing.reasons, ", "));
@@ -86,7 +93,7 @@ void write_first_integrals(const Equations& equations, const InlineLimits& limit
                                   turn.zero[1]);
     const std::optional<Sum> momentum = turn.reasons.empty() ? view.sum(turn.momentum) : std::nullopt;
     if (momentum) {
-      page.stated({say("constant"), say("\\text{constant}")}, collected(*momentum), say("momentum about {}, in N m s", axis));
+      page.stated(constant, collected_entry(*momentum), say("momentum about {}, in N m s", axis));
     } else if (turn.reasons.empty()) {
       const std::string limit = limit_met(view, turn.momentum, say);
       page.formula(say("The momentum about {} is constant, and too long to be written out ({}).", axis, limit),

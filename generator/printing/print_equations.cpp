@@ -401,7 +401,7 @@ class Printer {
     std::vector<std::vector<Written>> rows;
     for (const auto& row : matrix) {
       std::vector<Written> entries;
-      for (const Sum& sum : row) entries.push_back(collected(sum));
+      for (const Sum& sum : row) entries.push_back(entry.starts_with("F") ? collected(sum) : collected_entry(sum));  // F: a right side
       rows.push_back(std::move(entries));
     }
     page_.matrix(name, entry, rows);

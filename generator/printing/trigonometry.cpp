@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "torsor/generator/printing/trigonometry.hpp"
 
+#include <algorithm>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace torsor::printing {
@@ -172,6 +174,41 @@ Sum without_squares(const Sum& sum, Function function) {
   return result;
 }
 
+/// sin 2x as 2 sin x cos x beside such products: 2 A cos x sin x − C sin 2x is 2 (A − C) cos x sin x.
+Sum without_double_sines(const Sum& sum) {
+  std::set<Product, ProductOrder> beside;  // cos x sin x
+  for (const auto& [product, number] : sum.terms()) {
+    for (const Power& power : product) {
+      if (!is(power, Function::sin) || power.halves < 2) continue;
+      const Product cosine = twin(power, 2);
+      const bool pair = std::any_of(product.begin(), product.end(), [&](const Power& other) {
+        return other.halves >= 2 && compare(*other.base, *cosine[0].base) == 0;
+      });
+      if (pair) beside.insert(Product{{power.base, 2}} * cosine);
+    }
+  }
+  if (beside.empty()) return sum;
+  Sum result;
+  for (const auto& [product, number] : sum.terms()) {
+    Sum term;
+    const auto doubled = std::find_if(product.begin(), product.end(), [&](const Power& power) {
+      if (!is(power, Function::sin) || power.halves != 2) return false;
+      const Sum half = Number::rational(1, 2) * power.base->inside;
+      const Sum pair = Sum::function(Function::sin, half) * Sum::function(Function::cos, half);
+      return beside.count(pair.terms().begin()->first) > 0;
+    });
+    if (doubled == product.end()) {
+      term.add(product, number);
+    } else {
+      const Sum half = Number::rational(1, 2) * doubled->base->inside;
+      term.add(without(product, *doubled, 2), Number(2) * number);
+      term = term * (Sum::function(Function::sin, half) * Sum::function(Function::cos, half));
+    }
+    result += term;
+  }
+  return result;
+}
+
 }  // namespace
 
 Sum simplified(const Sum& sum) {
@@ -181,6 +218,7 @@ Sum simplified(const Sum& sum) {
     const Sum candidate = greedy(without_squares(sum, function));
     if (candidate.size() < best.size()) best = candidate;
   }
+  if (const Sum candidate = without_double_sines(best); candidate.size() <= best.size()) return candidate;
   return best;
 }
 

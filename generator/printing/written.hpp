@@ -41,6 +41,10 @@ struct Layout {
 /// depends on the configuration; parameters gather in the coefficients. A sum in parentheses starts with a plus.
 Written collected(const Sum& sum, const Layout& layout = {});
 
+/// The same of a quantity that stands alone, as an entry of a matrix: what all terms share stands before parentheses where none are
+/// inside, and a term with a plus leads.
+Written collected_entry(const Sum& sum);
+
 /// A sum as it is put down: a number with roots that stands alone is a term for each of its parts, those with a plus first,
 /// so that its sign reaches them all.
 Written with_parts_of_numbers(const Written& written);

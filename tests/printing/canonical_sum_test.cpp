@@ -95,6 +95,43 @@ TEST_F(CanonicalSum, FactorsWhatAPersonWouldFactor) {
   EXPECT_EQ(written(minus(Sum(), plus(a * sine(x), b * sine(x)))), "-(a + b) sin(x)");
 }
 
+TEST_F(CanonicalSum, LeavesNoFractionsInParenthesesThatWereNotThere) {
+  EXPECT_EQ(written(minus(plus(Number(4) * (m * x), m * y), m * a)), "m (4 x + y - a)");
+  EXPECT_EQ(written(Number(2) * minus(m * x, m * a)), "2 m (x - a)");
+  const Sum half = minus(x, Number::rational(1, 2) * a);
+  EXPECT_EQ(written(Number(3) * (m * half)), "3 m (x - 1/2 a)");
+  EXPECT_EQ(written(m * half * half), "m (x - 1/2 a)^2");
+}
+
+TEST_F(CanonicalSum, TakesWhatAllTermsOfAnEntryShareOutOfIt) {
+  const auto entry = [](const Sum& sum) { return text(collected_entry(sum)); };
+  const Sum v = Sum::symbol(make("v", SymbolKind::velocity, 7)), w = Sum::symbol(make("w", SymbolKind::velocity, 8));
+  EXPECT_EQ(entry(plus(Number(-2) * (m * a * sine(x) * v), Number(-2) * (m * a * sine(x) * w))), "-2 a m sin(x) (v + w)");
+  // Sums of parameters are shared too, and a velocity stands last.
+  EXPECT_EQ(entry(plus(m, a) * (plus(Number(2) * v, w) * w)), "(a + m) (2 v + w) w");
+  EXPECT_EQ(entry(minus(a, m * v * v)), "a - m v^2");
+  EXPECT_EQ(entry(plus(a * b, m * x * x)), "a b + m x^2");
+}
+
+TEST_F(CanonicalSum, HasTheSameValueAsAnEntry) {
+  const Sum v = Sum::symbol(make("v", SymbolKind::velocity, 7)), w = Sum::symbol(make("w", SymbolKind::velocity, 8));
+  const auto value = [](const Written& of) {
+    return evaluate(of, [](const SymbolPointer& symbol) {
+      return Real(Number::rational(symbol->index * symbol->index + 3, 7), 30);
+    }, 30);
+  };
+  for (const Sum& sum : {minus(minus(a * m * sine(x), b * m * cosine(y)), m * v * w), minus(a * m * w, a * m * v),
+                         Number::rational(-2, 3) * (plus(a, m) * plus(v, Number(3) * w) * sine(x) * w)}) {
+    EXPECT_LT(std::abs(value(collected_entry(sum)).to_double() - value(collected(sum)).to_double()), 1e-12) << text(collected_entry(sum));
+  }
+}
+
+TEST_F(CanonicalSum, WritesOneProductOfSineAndCosineInOneWay) {
+  const Sum both = minus(Number(2) * (a * sine(x) * cosine(x)), b * sine(Number(2) * x));
+  EXPECT_EQ(written(simplified(both)), "2 (a - b) cos(x) sin(x)");
+  EXPECT_EQ(written(simplified(b * sine(Number(2) * x))), "b sin(2 x)");
+}
+
 TEST_F(CanonicalSum, WritesOneDivisorBareAndSeveralInParentheses) {
   EXPECT_EQ(written(x * power(a, -2)), "x/a");
   EXPECT_EQ(written(x * power(a, -2) * power(b, -2)), "x/(a b)");

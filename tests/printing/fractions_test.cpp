@@ -106,7 +106,7 @@ TEST(CancelledFractions, MakeTheReducedMassesOfAGearShort) {
 TEST(IntegrableConditions, AreToldWithTheirIntegrals) {
   const std::string page = print_equations(epicyclic(), Format::text, {});
   EXPECT_TRUE(has(page, "constant = r_s (sun - arm) + r_p planet    (inner is integrable)")) << page;
-  EXPECT_TRUE(has(page, "constant = 2 r_p (arm + 1/2 planet - ring) + r_s (arm - ring)    (outer is integrable)")) << page;
+  EXPECT_TRUE(has(page, "constant = r_p (2 arm + planet - 2 ring) + r_s (arm - ring)    (outer is integrable)")) << page;
 }
 
 /// Two wheels on one axle, which turns by psi: each alone is not integrable, nor does the axle not slide along itself.
