@@ -157,15 +157,11 @@ bool differ(const ContactProblem& problem, const ImpactResult& one, const Impact
   return largest_part(one.w - other.w, ContactScale(problem).motions(problem.q)) > 1e-9;
 }
 
-// How many contacts close before the first collision.
-int closing(const ContactProblem& problem) noexcept {
+// Whether more than one contact closes before the first collision.
+bool several_close(const ContactProblem& problem, Order declared) noexcept {
   const ContactVector sizes = ContactScale(problem).motions(problem.q);
-  int count = 0;
-  for (int i = 0; i < problem.count; ++i) {
-    const int n = problem.first_row(i);
-    if (problem.law(i).normal && problem.q(n) < -1e-15 * sizes(n)) ++count;
-  }
-  return count;
+  const std::optional<int> first = next_to_close(problem, declared, sizes, problem.q);
+  return first && next_to_close(problem, declared.subspan(at(*first) + 1), sizes, problem.q);
 }
 
 // In the order of declaration. Where a single contact closes and one collision ends it, there is no other order.
@@ -176,7 +172,7 @@ void sequential(const ContactProblem& problem, std::span<const double> restituti
   std::iota(order.begin(), order.end(), 0);
   const ImpactResult start = result;
   collide_in_turn(problem, restitution, order, result);
-  if (without_solution(result.verdict) || (result.collisions <= 1 && closing(problem) <= 1)) return;
+  if (without_solution(result.verdict) || (result.collisions <= 1 && !several_close(problem, order))) return;
   const auto differs = [&] {
     ImpactResult other = start;
     collide_in_turn(problem, restitution, order, other);

@@ -18,7 +18,7 @@ namespace torsor::runtime {
 
 ContactAnswer RegimeEnumeration::run(bool thoroughly) noexcept {
   thoroughly_ = thoroughly;
-  tried_ = complete_ = true;
+  complete_ = true;
   try_all();
   // Where bounds leave one place alone, rounding may hide it in the regimes that stand for others.
   if (answer_.count == 0 && left_out_) {
@@ -91,7 +91,9 @@ ContactAnswer RegimeEnumeration::finish() noexcept {
   }
   // Of motions without a gap between them one inside is taken, not an end, where a contact that closes does not press.
   for (std::size_t j = 1; j < answer_.count; ++j) {
-    if (motion(found[0]) > 0 && found[j].moves && ends(found[0], found[j])) std::swap(found[0], found[j]);
+    if (motion(found[0]) > 0 && (found[j].moves || is_close(found[0], found[j])) && ends(found[0], found[j])) {
+      std::swap(found[0], found[j]);
+    }
   }
   if (answer_.count == 0) {
     answer_.verdict = complete_ ? ContactVerdict::none : ContactVerdict::not_found;
@@ -100,7 +102,7 @@ ContactAnswer RegimeEnumeration::finish() noexcept {
   } else if (found[0].indeterminate) {
     answer_.verdict = ContactVerdict::indeterminate;
   } else {
-    answer_.verdict = tried_ || is_convex() ? ContactVerdict::unique : ContactVerdict::not_examined;
+    answer_.verdict = complete_ || is_convex() ? ContactVerdict::unique : ContactVerdict::not_examined;
   }
   return answer_;
 }
@@ -114,13 +116,25 @@ bool RegimeEnumeration::is_convex() const noexcept {
   return true;
 }
 
-// Whether one has the regimes of the other but for contacts that are open.
+// Whether one has the regimes of the other but for contacts that are open. Or what the other presses touches in it without a
+// force, and none of that leaves: there reactions that the other leaves open come to their bounds, whatever sticks or slides.
 bool RegimeEnumeration::ends(const ContactSolution& one, const ContactSolution& other) const noexcept {
+  const ContactVector sizes = scale_.motions(problem_.W.cwiseAbs() * one.r.cwiseAbs() + problem_.q.cwiseAbs());
+  bool same = true, stays = false, leaves = false;
   for (int i = 0; i < problem_.count; ++i) {
     const ContactRegime regime = one.regimes[as(i)];
-    if (regime != other.regimes[as(i)] && regime != ContactRegime::open) return false;
+    same = same && (regime == other.regimes[as(i)] || regime == ContactRegime::open);
+    if (regime != ContactRegime::open || other.regimes[as(i)] == ContactRegime::open || !problem_.law(i).normal) continue;
+    const int n = problem_.first_row(i);
+    (one.u(n) <= slack * sizes(n) ? stays : leaves) = true;
   }
-  return true;
+  return same || (stays && !leaves);
+}
+
+// Whether two motions differ by less than forces that count as unique may differ.
+bool RegimeEnumeration::is_close(const ContactSolution& one, const ContactSolution& other) const noexcept {
+  const ContactVector sizes = scale_.motions(problem_.W.cwiseAbs() * one.r.cwiseAbs() + problem_.q.cwiseAbs());
+  return largest_part(one.u - other.u, sizes) <= 1e-4;
 }
 
 bool RegimeEnumeration::open_rubs(const ContactLaw& law) noexcept {
@@ -314,8 +328,8 @@ void RegimeEnumeration::accept(Regimes regimes, const ContactVector* near) noexc
       u = problem_.W * r + problem_.q;
     }
   }
+  if (system.kernel().cols() > 0 && count_sought(regimes) > 0) turn_to_family(regimes, r, u, family);
   if (!inequalities.hold(r, u, slack)) return;
-  if (family.found && count_sought(regimes) > 0) turn_to_family(regimes, r, u);
   ContactSolution solution;
   solution.indeterminate = family.indeterminate;
   solution.moves = family.moves;
@@ -384,21 +398,41 @@ bool RegimeEnumeration::moves_by(const ContactVector& forces) const noexcept {
   return largest_part(change, scale_.motions(terms)) > 1e-9;
 }
 
-// Other reactions of a family move what slips by rounding, over small slips by more: directions follow, or stay where
-// the bounds do not hold then.
-void RegimeEnumeration::turn_to_family(Regimes& regimes, ContactVector& r, ContactVector& u) const noexcept {
-  Regimes turned = regimes;
+// Slips that begin have the directions of one choice of reactions, and others turn them. Reactions far inside all bounds are looked
+// for with directions that follow. Where none are, directions follow what was found, or stay where the bounds do not hold then.
+void RegimeEnumeration::turn_to_family(Regimes& regimes, ContactVector& r, ContactVector& u, Family& family) const noexcept {
   PerContact<bool> sought{};
-  for (int i = 0; i < problem_.count; ++i) sought[as(i)] = turned[as(i)].direction_sought;
-  if (!align_slips(problem_, turned, {.begins = sought, .held = r})) return;
-  RegimeSystem system(problem_, scale_, turned);
-  if (!system.solve()) return;
-  system.approach(r);
-  const ContactVector reactions = system.reactions(), motion = problem_.W * reactions + problem_.q;
-  if (!RegimeInequalities(problem_, scale_, system).hold(reactions, motion, slack)) return;
-  regimes = turned;
-  r = reactions;
-  u = motion;
+  for (int i = 0; i < problem_.count; ++i) sought[as(i)] = regimes[as(i)].direction_sought;
+  const auto takes = [&](const ContactVector& near, double margin) {
+    Regimes turned = regimes;
+    if (!align_slips(problem_, turned, {.begins = sought, .held = near})) return false;
+    RegimeSystem system(problem_, scale_, turned);
+    if (!system.solve()) return false;
+    system.approach(near);
+    const RegimeInequalities inequalities(problem_, scale_, system);
+    const ContactVector reactions = system.reactions(), motion = problem_.W * reactions + problem_.q;
+    if (!inequalities.hold(reactions, motion, slack)) return false;
+    // Inside where nothing is missing: what would be looked for elsewhere has other directions.
+    const ContactVector place = system.x();
+    if (margin > 0 && !(inequalities.find(system, margin / 4).inside && system.x() == place)) return false;
+    regimes = turned;
+    r = reactions;
+    u = motion;
+    if (margin == 0) return true;
+    family.found = family.indeterminate = true;
+    for (Eigen::Index k = 0; k < system.kernel().cols(); ++k) {
+      family.moves = family.moves || moves_by(system.B() * system.kernel().col(k));
+    }
+    return true;
+  };
+  for (double margin = 0.1; margin > 1e-6; margin /= 10) {
+    RegimeSystem system(problem_, scale_, regimes);
+    if (!system.solve()) break;
+    system.approach(r);
+    (void)RegimeInequalities(problem_, scale_, system).find(system, margin);
+    if (takes(system.reactions(), margin)) return;
+  }
+  if (family.found) (void)takes(ContactVector(r), 0);
 }
 
 // What the laws give without rounding is put in place: no negative force, none outside its bound, u = 0 where it

@@ -60,6 +60,7 @@ class RegimeEnumeration {
   /// Whether the laws make one convex problem, which has one motion: where no force bounds another.
   [[nodiscard]] bool is_convex() const noexcept;
   [[nodiscard]] bool ends(const ContactSolution& one, const ContactSolution& other) const noexcept;
+  [[nodiscard]] bool is_close(const ContactSolution& one, const ContactSolution& other) const noexcept;
   static std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
 
   [[nodiscard]] static bool open_rubs(const ContactLaw& law) noexcept;
@@ -77,7 +78,7 @@ class RegimeEnumeration {
   [[nodiscard]] Family look_inside(RegimeSystem& system, const RegimeInequalities& inequalities) const noexcept;
   [[nodiscard]] Family look_beside(RegimeSystem& system, const RegimeInequalities& inequalities) const noexcept;
   [[nodiscard]] bool moves_by(const ContactVector& forces) const noexcept;
-  void turn_to_family(Regimes& regimes, ContactVector& r, ContactVector& u) const noexcept;
+  void turn_to_family(Regimes& regimes, ContactVector& r, ContactVector& u, Family& family) const noexcept;
   void tidy(const Regimes& regimes, ContactVector& r, ContactVector& u, ContactSolution& solution) const noexcept;
   void add(const ContactSolution& solution) noexcept;
 
@@ -88,8 +89,7 @@ class RegimeEnumeration {
   bool relates_;
   bool thoroughly_ = false;
   bool left_out_ = false;  ///< regimes that others stand for
-  bool tried_ = false;     ///< all combinations were
-  bool complete_ = false;  ///< and whatever the directions, each motion is among them
+  bool complete_ = false;  ///< all combinations were tried, and whatever the directions, each motion is among them
   bool moves_ = false;     ///< reactions that fit give different motions without end
 };
 

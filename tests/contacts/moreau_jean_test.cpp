@@ -36,6 +36,28 @@ TEST(MoreauJean, StopsABlockOnTheStraightLineOfItsVelocity) {
   EXPECT_EQ(std::hypot(y[3], y[4]), 0.0);
 }
 
+// A gap that is open at the start closes within the first step: no gap of a step before is known then.
+TEST(MoreauJean, ClosesWithinTheFirstStepWhatBeginsOpen) {
+  constexpr double h = 1e-3, speed = 2;
+  for (const double e : {0.0, 0.5, 1.0}) {
+    for (const double theta : {0.5, 0.75, 1.0}) {
+      for (const double part : {0.05, 0.4, 0.6, 0.95}) {
+        SCOPED_TRACE(testing::Message() << e << ", " << theta << ", " << part);
+        std::array<double, 2> y{part * h * speed, -speed}, exact = y;
+        for (int step = 0; step < 2; ++step) {
+          const auto status = step_contacts(ball(e), y, step * h, (step + 1) * h, {.count = 1, .theta = theta});
+          ASSERT_EQ(status, ContactStatus::reached_end);
+          EXPECT_GE(y[0], -1e-17);
+        }
+        ASSERT_TRUE(integrate_contacts(ball(e), exact, 0, 2 * h));
+        // An impact is felt up to a step late, at the speed there, and gravity acts for two.
+        EXPECT_NEAR(y[0], exact[0], h * (1 + e) * speed + 2 * h * h * g);
+        EXPECT_NEAR(y[1], exact[1], 3 * h * g);
+      }
+    }
+  }
+}
+
 // A ball dropped, bouncing to rest, and a sphere that bounces down a slope and then rolls: by events and by steps.
 TEST(MoreauJean, TendsToTheMotionFromEventToEvent) {
   const auto sphere = sphere_on_slope(0.3, 0.2, 0.6, 0.05);
