@@ -5,6 +5,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,8 +17,10 @@
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/cli/evaluated_contacts.hpp"
 #include "torsor/generator/cli/start_state.hpp"
+#include "torsor/generator/cli/within_contact_step.hpp"
 #include "torsor/generator/program/written_unit.hpp"
 #include "torsor/runtime/contacts/integrate_contacts.hpp"
+#include "torsor/runtime/integration/radau_iia_5.hpp"
 
 namespace torsor {
 namespace {
@@ -84,27 +90,36 @@ class ContactSimulation {
   static constexpr auto most_contacts = static_cast<std::size_t>(runtime::most_contacts);
   using State = std::array<double, most_numbers>;
 
-  ContactSimulation(EvaluatedContacts& contacts, const SimulationOptions& options, ContactRecord& record,
+  ContactSimulation(const Scene& scene, EvaluatedContacts& contacts, const SimulationOptions& options, ContactRecord& record,
                     const NaturalLanguage& say)
-      : contacts_(contacts), options_(options), record_(record), result_(record.motion), mechanism_(contacts), say_(say) {}
+      : contacts_(contacts), options_(options), record_(record), result_(record.motion), mechanism_(contacts),
+        watched_(scene, contacts.motion(), options.events), say_(say) {}
 
   void run(const std::vector<double>& start) {
+    if (options_.method == "radau") run_by<runtime::RadauIia5>(start);
+    else run_by<runtime::DormandPrince853>(start);
+  }
+
+ private:
+  template <class Method>
+  void run_by(const std::vector<double>& start) {
     State y{};
     std::copy(start.begin(), start.end(), y.begin());
     // Components that are there for room make the norm of the error smaller.
     const double share = std::sqrt(static_cast<double>(start.size()) / static_cast<double>(y.size()));
-    const double tolerance = std::max(options_.tolerance * share, 1e-15);
-    const runtime::DormandPrince853 method{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
+    tolerance_ = std::max(options_.tolerance * share, 1e-15);
+    const Method method{.relative_tolerance = tolerance_, .absolute_tolerance = tolerance_};
     Watch watch{*this};
     runtime::ContactOptions laws;
     laws.law = law_named(options_.impact_law);
     laws.impact_without_collision = options_.impact_without_collision;
-    runtime::ContactRun<most_numbers, most_contacts, runtime::DormandPrince853, Watch> motion(mechanism_, y, method, laws,
-                                                                                            watch);
+    runtime::ContactRun<most_numbers, most_contacts, Method, Watch> motion(mechanism_, y, method, laws, watch);
+    motion_ = &motion.motion();
     if (motion.start(0.0)) write(motion.motion(), 0.0, y, start.size());
     const auto last = static_cast<long>(std::ceil(options_.duration / options_.step * (1 - 1e-12)));
     for (long k = 1; k <= last && motion.result(); ++k) {
       const double t = k == last ? options_.duration : static_cast<double>(k) * options_.step;
+      next_row_ = t;
       if (motion.advance(t)) write(motion.motion(), t, y, start.size());
       if (options_.progress) options_.progress(t / options_.duration);
     }
@@ -112,7 +127,7 @@ class ContactSimulation {
     result_.steps = static_cast<decltype(result_.steps)>(end.integration.statistics.accepted);
     result_.remarks.push_back(say_("forces and impulses of contacts fulfil the laws of contact to {:.1g} of the largest",
                                    end.worst_residual));
-    if (!end) {
+    if (!end && !ended_) {
       const std::string dead = dead_centre(motion.motion(), end, y);
       const std::string why = reason_of(end, say_) + of_contact(end) + of_regimes(motion.motion(), end, y);
       result_.status = dead.empty() ? say_("{} at t = {:.9g} s", why, end.time) : dead;
@@ -131,14 +146,45 @@ class ContactSimulation {
     }
   }
 
- private:
   struct Watch {
     ContactSimulation& simulation;
     bool operator()(const runtime::ContactEvent& event) const {
+      // That of an accumulation is the limit of its impacts, which may be later.
+      const bool now = event.kind != ContactEventKind::accumulation;
+      if (now && !simulation.look(event.time, event.before)) return false;
       simulation.tell(event);
       return true;
     }
+    bool operator()(const double& t, const State& y) const { return simulation.look(t, y); }
   };
+
+  /// A step has ended, or a contact's event has set the state anew: rows where what is watched has passed zero since the last
+  /// time, in the regimes that there were then. False where that ends the motion.
+  bool look(double t, std::span<const double> y) {
+    if (watched_.empty()) return true;
+    std::vector<double> state(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(record_.numbers));
+    const WithinContactStep<most_numbers> now(*motion_, t, std::move(state), tolerance_);
+    std::swap(motion_->states, states_);
+    motion_->changed();
+    const bool goes_on = !last_ || write_between(*last_, now);
+    std::swap(motion_->states, states_);
+    motion_->changed();
+    states_ = motion_->states;
+    last_ = now.copy();
+    return goes_on;
+  }
+
+  bool write_between(const MotionIntegrator& before, const MotionIntegrator& after) {
+    for (const MetEvent& event : watched_.between(before, after)) {
+      result_.events.push_back(fmt::format("{} at t = {:.15g} s", event.name, event.time));
+      State there{};
+      std::copy(event.motion->state().begin(), event.motion->state().end(), there.begin());
+      if (event.ends || event.time < next_row_) write(*motion_, event.time, there, record_.numbers);
+      ended_ = event.ends;
+      if (ended_) return false;
+    }
+    return true;
+  }
 
   std::string of_contact(const runtime::ContactResult& end) const {
     if (!end.contact || *end.contact >= contacts_.count()) return "";
@@ -243,6 +289,12 @@ class ContactSimulation {
   ContactRecord& record_;
   Simulation& result_;
   const EvaluatedMechanism mechanism_;
+  WatchedEvents watched_;
+  runtime::ContactMotion* motion_ = nullptr;
+  std::unique_ptr<MotionIntegrator> last_;  ///< where what is watched was looked at last
+  runtime::PerContact<runtime::ContactState> states_{};  ///< and the regimes there
+  double tolerance_ = 0, next_row_ = 0;
+  bool ended_ = false;  ///< by what is watched
   const NaturalLanguage& say_;
 };
 
@@ -255,7 +307,11 @@ void add_columns(EvaluatedContacts& contacts, ContactRecord& record) {
   EvaluatedMotion& motion = contacts.motion();
   add("time", "s");
   for (const SymbolPointer& symbol : motion.symbols()) add(symbol->name, written_unit(*symbol));
-  for (const EvaluatedMotion::Observed& each : motion.observed()) add(each.name, each.unit);
+  // Contacts change what the mechanism would conserve without them.
+  constexpr std::string_view prefix = "first_integral_";
+  for (const EvaluatedMotion::Observed& each : motion.observed()) {
+    add(each.name.starts_with(prefix) ? each.name.substr(prefix.size()) : each.name, each.unit);
+  }
   record.numbers = motion.symbols().size();
   for (const SymbolPointer& input : motion.equations().model().inputs()) record.inputs.push_back(input->name);
   for (int i = 0; i < contacts.count(); ++i) {
@@ -280,9 +336,10 @@ ContactRecord record_contacts(const Scene& scene, const SimulationOptions& optio
   if (!options.project) {
     throw UsageError("--no-projection is for motions without contacts: those with contacts are put back on them");
   }
-  if (options.method != "dp853" || !options.events.empty()) {
-    throw UsageError("--events, --until and --method are for motions without contacts: those with contacts have events of "
-                     "their own, between which dp853 moves them");
+  if (options.method != "dp853" && options.method != "radau") {
+    throw UsageError(fmt::format("--method {} is for motions without contacts: those with contacts are moved from event to event "
+                                 "by dp853 or radau",
+                                 options.method));
   }
   EvaluatedContacts contacts(scene, options.model, options.parameters, options.inputs);
   ContactRecord record;
@@ -296,7 +353,7 @@ ContactRecord record_contacts(const Scene& scene, const SimulationOptions& optio
         "{} and {}: generate its header and move it by runtime/contacts (docs/contacts.md)",
         scene.name(), y.size(), contacts.count(), ContactSimulation::most_numbers, ContactSimulation::most_contacts));
   }
-  ContactSimulation(contacts, options, record, say).run(y);
+  ContactSimulation(scene, contacts, options, record, say).run(y);
   return record;
 }
 

@@ -125,6 +125,7 @@ Simulation simulate(const Scene& scene, const SimulationOptions& options) {
     motion.remarks.insert(motion.remarks.end(), remarks.begin(), remarks.end());
     return motion;
   };
+  (void)method_named(options.method);
   if (has_contacts(scene)) return with_remarks(simulate_contacts(scene, options));
   if (options.impact_law != impact_law_names[0] || options.impact_without_collision) {
     throw UsageError(fmt::format("--impact-law and --impact-without-collision are for contacts, and the scene '{}' has none",

@@ -260,8 +260,41 @@ TEST(SimulateContacts, NamesTheContactThatEndsIt) {
   EXPECT_EQ(hollow.code, 2);
   EXPECT_NE(hollow.err.find("has the radius r = -0.1: give the size of what touches the plane"), std::string::npos) << hollow.err;
   EXPECT_EQ(run(dropped, {"simulate", "--no-projection"}).code, 2);
-  EXPECT_EQ(run(dropped, {"simulate", "--until", "z = 0.5"}).code, 2);
-  EXPECT_EQ(run(dropped, {"simulate", "--method", "radau"}).code, 2);
+  const Outcome fixed = run(dropped, {"simulate", "--method", "gauss"});
+  EXPECT_EQ(fixed.code, 2);
+  EXPECT_NE(fixed.err.find("--method gauss is for motions without contacts"), std::string::npos) << fixed.err;
+}
+
+// Closed form: it falls 1 m and rises to 1/4 m, so that it passes 1/5 m three times before its second impact.
+TEST(SimulateContacts, WritesRowsWhereAFormulaPassesZero) {
+  constexpr double g = 9.81;
+  const double strikes = std::sqrt(2 / g), up = g * strikes / 2;
+  const auto rises = [&](double z, double sign) { return strikes + (up + sign * std::sqrt(up * up - 2 * g * z)) / g; };
+  const Outcome outcome = run(dropped, {"simulate", "--to", "0.8", "--step", "0.4", "--events", "low: z = 0.2"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto rows = table(outcome.out).rows;
+  const std::vector<double> times{0, 0.4, std::sqrt(1.6 / g), rises(0.2, -1), rises(0.2, 1), 0.8};
+  ASSERT_EQ(rows.size(), times.size()) << outcome.out;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    EXPECT_NEAR(rows[i][0], times[i], 1e-9);
+    if (i >= 2 && i <= 4) EXPECT_NEAR(rows[i][1], 0.2, 1e-9);
+  }
+  const std::size_t low = outcome.out.find("# Event: low at t = 0.40");
+  const std::size_t impact = outcome.out.find("# Event: impact of floor at t = 0.45");
+  EXPECT_LT(low, impact) << outcome.out;
+  EXPECT_LT(impact, outcome.out.find("# Event: low at t = 0.57")) << outcome.out;
+}
+
+TEST(SimulateContacts, EndsWhereItIsTold) {
+  for (const char* method : {"dp853", "radau"}) {
+    const Outcome outcome = run(dropped, {"simulate", "--to", "5", "--until", "z' = 0.3", "--method", method});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    // The impact takes the velocity from below zero past that of the formula.
+    const auto rows = table(outcome.out).rows;
+    EXPECT_NEAR(rows.back()[0], std::sqrt(2 / 9.81), 1e-8) << outcome.out;
+    EXPECT_NE(outcome.err.find("event: z' = 0.3 at t = 0.45"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("the motion ends"), std::string::npos) << outcome.err;
+  }
 }
 
 }  // namespace
