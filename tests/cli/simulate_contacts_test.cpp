@@ -277,7 +277,9 @@ TEST(SimulateContacts, WritesRowsWhereAFormulaPassesZero) {
   ASSERT_EQ(rows.size(), times.size()) << outcome.out;
   for (std::size_t i = 0; i < times.size(); ++i) {
     EXPECT_NEAR(rows[i][0], times[i], 1e-9);
-    if (i >= 2 && i <= 4) EXPECT_NEAR(rows[i][1], 0.2, 1e-9);
+    if (i >= 2 && i <= 4) {
+      EXPECT_NEAR(rows[i][1], 0.2, 1e-9);
+    }
   }
   const std::size_t low = outcome.out.find("# Event: low at t = 0.40");
   const std::size_t impact = outcome.out.find("# Event: impact of floor at t = 0.45");
