@@ -4,11 +4,24 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "torsor/runtime/contacts/contact_motion.hpp"
 #include "torsor/runtime/contacts/contact_scale.hpp"
 
 namespace torsor::runtime {
+namespace {
+
+// What rests at zero is put there anew by each step, which halves what is left of its numbers without end. Before products of
+// three of them are zero for want of smaller numbers, so that decisions by their ratios fail, they are zero themselves.
+void clear_traces(std::span<double> y) noexcept {
+  constexpr double trace = 0x1p-300;
+  for (double& each : y) {
+    if (std::abs(each) < trace) each = 0;
+  }
+}
+
+}  // namespace
 
 // Rows of touching contacts for which `wanted` says so.
 template <class Wanted>
@@ -92,6 +105,7 @@ Evaluation ContactMotion::project(double t, std::span<double> y, int steps) {
   change_ = dynamics_.closing_rate;
   add_least_change();
   for (int i = 0; i < sizes_.velocities; ++i) y[as(sizes_.coordinates + i)] += change_(i);
+  clear_traces(y.first(there_.size()));
   return read(t, y) ? Evaluation::ok : Evaluation::singular;
 }
 

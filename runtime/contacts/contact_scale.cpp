@@ -67,13 +67,15 @@ ContactVector ContactScale::sums(const ContactVector& parts) const noexcept {
   return all;
 }
 
+// Parts of the largest one: that may be next to nothing, which over sizes would be zero.
 double size_along(const ContactVector& sizes, const ContactVector& all, int first, int count) noexcept {
   double length = 0, part = 0, largest = 0;
+  const double most = count > 0 ? all.segment(first, count).cwiseAbs().maxCoeff() : 0;
   for (int k = first; k < first + count; ++k) {
     largest = std::max(largest, sizes(k));
     if (all(k) == 0) continue;
-    length = std::hypot(length, all(k));
-    part = std::hypot(part, all(k) / sizes(k));
+    length = std::hypot(length, all(k) / most);
+    part = std::hypot(part, all(k) / most / sizes(k));
   }
   return length > 0 ? length / part : largest;
 }
