@@ -49,6 +49,9 @@ class ContactAutomaton {
   /// Whether the steps have ended where forces jump and what holds a contact gives way: `pass` of its guard follows. Nothing where
   /// none does.
   [[nodiscard]] std::optional<bool> pass_jump_of_forces(double t, std::span<double> y);
+  /// Whether the steps have ended where contacts that stick can no longer do so, as rows that depend on each other but for rounding
+  /// ask for different accelerations: one of them begins to slide. Nothing where none does.
+  [[nodiscard]] std::optional<bool> pass_loss_of_rank(double t, std::span<double> y);
   /// Whether the steps have ended at an edge that the contact leaves, its gap rising by a jump: it opens, and so does what leaves
   /// it with it. Or where its surface jumps along itself: then what stuck slides. The time of the result is then that behind the
   /// jump. False where the motion ends.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What ends a smooth piece of a contact motion, and what of it is rounding.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -115,6 +116,41 @@ std::optional<bool> ContactAutomaton::pass_jump_of_forces(double t, std::span<do
     if (later) return pass(index, t + *later, y);
   }
   return std::nullopt;
+}
+
+// Two that stick may hold a hinge that is all but on their line, as that of a leg on the side of a box that comes to rest on it.
+// What they cannot hold grows beyond rounding as it comes down.
+std::optional<bool> ContactAutomaton::pass_loss_of_rank(double t, std::span<double> y) {
+  const auto lost = [&](double after, std::span<const double> there) {
+    return motion_.read(t + after, there) && motion_.solve(t + after, there) == Evaluation::singular;
+  };
+  const bool here = lost(0, y);
+  bool any = here;
+  for (int i = 0; i < count() && !here && motion_.solve(t, y) == Evaluation::ok; ++i) any = any || motion_.undetermined(i);
+  if (!any) return std::nullopt;
+  const std::optional<double> later = here ? 0 : motion_.pass_to(t, y, lost);
+  if (!later) return std::nullopt;
+  result_.time = told_ = t + *later;
+  y_ = y;
+  std::copy_n(y_.begin(), before_.size(), before_.begin());
+  const PerContact<ContactState> before = motion_.states;
+  kind_ = ContactEventKind::slips;
+  residual_ = energy_lost_ = 0;
+  order_matters_ = false;
+  impulses_.setZero(motion_.rows());
+  ends_too_.fill(false);
+  has_event_ = false;
+  if (!decide(std::nullopt, Cause::none)) return std::nullopt;
+  for (int i = count(); i-- > 0;) {
+    if (before[as(i)].regime != ContactRegime::sticks || motion_.states[as(i)].regime == ContactRegime::sticks) continue;
+    if (!motion_.states[as(i)].touches) bounces_[as(i)].left = result_.time;
+    if (has_event_) ends_too_[as(contact_)] = true;
+    has_event_ = true;
+    contact_ = i;
+    ++result_.events;
+  }
+  if (has_event_ && !motion_.states[as(contact_)].touches) kind_ = ContactEventKind::opens;
+  return has_event_ ? std::optional(true) : std::nullopt;
 }
 
 }  // namespace torsor::runtime
