@@ -6,15 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <random>
 
 #include "torsor/runtime/contacts/regime_enumeration.hpp"
+#include "tests/long_tests.hpp"
 
 namespace corners_of_a_face_test {
 namespace {
 
 using namespace torsor::runtime;
+using torsor::wanted;
 using Eigen::Vector3d;
 
 /// A box of mass 1 on those corners of its lower face that the bits of `which` name.
@@ -49,7 +50,7 @@ bool has(const ContactAnswer& answer, const ContactSolution& motion) {
 
 // Every regime tried without relations is the truth. Families of motions are met at one member, which depends on the way.
 TEST(CornersOfAFace, HaveAllMotionsWithoutASearchOfWhatIsHeld) {
-  const int tries = std::getenv("TORSOR_LONG_TESTS") != nullptr ? 300 : 4;
+  const int tries = wanted(4, 300);
   std::mt19937 source(20);
   std::normal_distribution<double> normal;
   int motions = 0, rests = 0;

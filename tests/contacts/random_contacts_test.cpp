@@ -7,17 +7,18 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <numbers>
 #include <random>
 #include <vector>
 
 #include "torsor/runtime/contacts/contact_solver.hpp"
+#include "tests/long_tests.hpp"
 
 namespace random_contacts_test {
 namespace {
 
 using namespace torsor::runtime;
+using torsor::wanted;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
@@ -169,8 +170,6 @@ class Polyhedra {
   std::vector<VectorXd> rays_;
   bool ray_ = false, moving_ray_ = false;
 };
-
-int wanted(int usual, int many) { return std::getenv("TORSOR_LONG_TESTS") == nullptr ? usual : many; }
 
 void expect_lawful(const ContactProblem& problem, const ContactSolution& s) {
   EXPECT_LE(s.residual, 1e-13);

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <vector>
 
 #include "torsor/runtime/contacts/integrate_contacts.hpp"
@@ -14,15 +13,17 @@
 #include "tests/contacts/plane_truth.hpp"
 #include "tests/contacts/random_scenes.hpp"
 #include "tests/contacts/random_watch.hpp"
+#include "tests/long_tests.hpp"
 
 namespace random_motions_test {
 namespace {
 
+using torsor::wanted;
 using namespace random_scenes;
 using namespace random_watch;
 using State = RandomScene::State;
 
-unsigned scenes() { return std::getenv("TORSOR_LONG_TESTS") == nullptr ? 20 : 300; }
+unsigned scenes() { return wanted(20U, 300U); }
 
 ContactResult move(const RandomScene& scene, State& y, double end) {
   const ContactResult result = integrate_contacts(scene, y, 0, end, precise);
@@ -96,10 +97,10 @@ void judge(const RandomScene& scene, const State& end, const ContactResult& resu
 
 // Forty scenes; in long tests ratios of a thousand too, and 300 scenes of each.
 TEST(RandomMotions, OfMassesFarApartNeverGainEnergyAndEndWhereTheirStateSaysSo) {
-  const bool few = std::getenv("TORSOR_LONG_TESTS") == nullptr;
+  const bool few = wanted(true, false);
   int reached = 0, all = 0;
   for (const double ratio : few ? std::vector<double>{1e-6, 1e6} : std::vector<double>{1e-6, 1e-3, 1e3, 1e6}) {
-    for (unsigned k = 0; k < (few ? 20U : 300U); ++k, ++all) {
+    for (unsigned k = 0; k < scenes(); ++k, ++all) {
       SCOPED_TRACE(testing::Message() << "scene " << k << ", ratio " << ratio);
       auto [scene, y] = random_start(k);
       make_uneven(scene, ratio);

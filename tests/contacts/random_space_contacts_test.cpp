@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <iostream>
 #include <numbers>
 #include <ostream>
@@ -15,10 +14,12 @@
 
 #include "tests/contacts/space_truth.hpp"
 #include "torsor/runtime/contacts/contact_solver.hpp"
+#include "tests/long_tests.hpp"
 
 namespace random_space_contacts_test {
 namespace {
 
+using torsor::wanted;
 using namespace space_truth;
 using Source = std::mt19937;
 
@@ -118,7 +119,7 @@ class RandomSpaceContacts : public testing::TestWithParam<Kind> {};
 // where equations are singular whatever the direction of a slip that begins, as some of three corners of one body are.
 TEST_P(RandomSpaceContacts, HaveTheVerdictOfAScanOfDirections) {
   const Kind& kind = GetParam();
-  const int total = std::getenv("TORSOR_LONG_TESTS") != nullptr ? kind.many : kind.usual;
+  const int total = wanted(kind.usual, kind.many);
   Source source(20261126);
   std::array<int, 4> seen{};
   int near = 0;
@@ -178,7 +179,7 @@ ContactProblem side_by_side(const std::array<ContactProblem, 2>& halves) {
 
 // A scan of four directions takes too long: here it is of two and two. What is said of four follows from what is said of both.
 TEST(FourContactsInSpace, HaveTheVerdictOfTheirHalves) {
-  const int total = std::getenv("TORSOR_LONG_TESTS") != nullptr ? 1000 : 16;
+  const int total = wanted(16, 1000);
   Source source(20261128);
   std::array<int, 4> seen{};
   int compared = 0;

@@ -4,24 +4,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <vector>
 
 #include "torsor/runtime/contacts/integrate_contacts.hpp"
 #include "torsor/runtime/contacts/moreau_jean.hpp"
 #include "tests/contacts/random_space_scenes.hpp"
 #include "tests/contacts/random_watch.hpp"
+#include "tests/long_tests.hpp"
 
 namespace random_space_motions_test {
 namespace {
 
+using torsor::wanted;
 using namespace random_space_scenes;
 using namespace random_watch;
 using State = SpaceScene::State;
 
 /// The first scenes, all 300 in long tests, and some besides.
 std::vector<unsigned> numbers(std::vector<unsigned> all) {
-  for (unsigned k = 0; k < (std::getenv("TORSOR_LONG_TESTS") == nullptr ? 3U : 300U); ++k) all.push_back(k);
+  for (unsigned k = 0; k < wanted(3U, 300U); ++k) all.push_back(k);
   return all;
 }
 
@@ -83,7 +84,7 @@ TEST(RandomSpaceMotions, OfMassesFarApartNeverGainEnergyAndSayWhereTheyJam) {
   const ContactResult jammed = integrate_contacts(scene, y, 0, 1.5, precise);
   EXPECT_EQ(jammed.status, ContactStatus::jams);
   EXPECT_EQ(jammed.contact, 1);
-  const bool few = std::getenv("TORSOR_LONG_TESTS") == nullptr;  // then one scene for each ratio
+  const bool few = wanted(true, false);  // then one scene for each ratio
   unsigned next = 0;
   for (const double ratio : {1e-6, 1e-3, 1e3, 1e6}) {
     for (const unsigned k : few ? std::vector<unsigned>{next++ % 3} : numbers({})) {

@@ -4,16 +4,17 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdlib>
 #include <vector>
 
 #include "torsor/runtime/contacts/integrate_contacts.hpp"
 #include "tests/contacts/random_space_scenes.hpp"
 #include "tests/contacts/random_watch.hpp"
+#include "tests/long_tests.hpp"
 
 namespace table_on_feet_test {
 namespace {
 
+using torsor::wanted;
 using namespace random_space_scenes;
 using random_watch::distance;
 using State = SpaceScene::State;
@@ -58,7 +59,7 @@ State thrown(const Throw& start, double tolerance) {
 // that jumped as its slip faded stopped the steps. The way is that of a finer integration, within some ten steps' errors.
 TEST(TableOnFeet, ComesToRestWhereverItsFeetEndTheirSlips) {
   std::vector<Throw> throws{{-0.4, 0.3, 4, 5e-9}, {-0.4, 1.2, 0.3, 5e-9}, {2, -1.5, 4, 5e-11}, {2, 1.2, 0.3, 5e-11}};
-  if (std::getenv("TORSOR_LONG_TESTS") != nullptr) {
+  if (wanted(false, true)) {
     for (const double x : {1.1, -0.4, 2.0}) {
       for (const double y : {-1.5, 0.3, 1.2}) {
         for (const double spin : {4.0, -1.0, 0.3}) {

@@ -25,6 +25,7 @@
 #include "torsor/runtime/mechanism.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/motions/padded_mechanism.hpp"
+#include "tests/long_tests.hpp"
 
 namespace torsor::random_motions_test {
 namespace {
@@ -48,8 +49,7 @@ unsigned first_seed() {
 /// Every method for every mechanism where TORSOR_LONG_TESTS is set, else every third, in turns; those of constraints, which few
 /// mechanisms allow, for each.
 bool in_turn(unsigned seed, unsigned method) {
-  static const bool all = std::getenv("TORSOR_LONG_TESTS") != nullptr;
-  return all || (seed + method) % 3 == 0;
+  return wanted(false, true) || (seed + method) % 3 == 0;
 }
 
 /// What became of the motions by one method.
