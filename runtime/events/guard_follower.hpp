@@ -203,7 +203,7 @@ class GuardFollower {
     memory.band = band;
     memory.fresh = false;
     if (departure.found) memory.visiting = false;
-    return departure.finite ? EventStatus::reached_end : EventStatus::guard_not_followed;
+    return departure.finite && std::isfinite(band) ? EventStatus::reached_end : EventStatus::guard_not_followed;
   }
 
   // Of a guard that starts at zero: the side on which it first leaves the band.

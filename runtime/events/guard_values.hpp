@@ -89,21 +89,26 @@ class GuardValues {
     Vector y = step(t);
     Values values{}, terms{}, noise{}, rates{};
     each(t, y, [&](std::size_t k, Scalar value) { values[k] = value; });
-    const auto add_terms = [&](std::size_t k, Scalar value) { terms[k] += std::abs(value - values[k]) / relative; };
+    // A guard may have no value beside the motion, as the force of a contact where others no longer hold: nothing is told there.
+    const auto change = [&](std::size_t k, Scalar value) {
+      const Scalar by = std::abs(value - values[k]);
+      return std::isfinite(by) ? by : Scalar(0);
+    };
+    const auto add_terms = [&](std::size_t k, Scalar value) { terms[k] += change(k, value) / relative; };
     each(t * (one + relative), y, add_terms);
     for (std::size_t j = 0; j < size; ++j) {
       const Scalar kept = y[j], largest = std::max({std::abs(y_start_[j]), std::abs(y_end_[j]), std::abs(kept)});
       y[j] = kept + relative * largest;
       each(t, y, add_terms);
       y[j] = kept * (one + Scalar(2) * epsilon);
-      each(t, y, [&](std::size_t k, Scalar value) { noise[k] = std::max(noise[k], std::abs(value - values[k])); });
+      each(t, y, [&](std::size_t k, Scalar value) { noise[k] = std::max(noise[k], change(k, value)); });
       y[j] = kept;
     }
     // How far a guard goes in a rounding of the time.
     const Scalar part = Scalar(1e-3) * (step.end - step.start);
     const bool room = step.end >= step.start ? t + part < step.end : step.end < t + part;
     const Scalar aside = room ? t + part : t - part;
-    each(aside, step(aside), [&](std::size_t k, Scalar value) { rates[k] = std::abs(value - values[k]) / std::abs(part); });
+    each(aside, step(aside), [&](std::size_t k, Scalar value) { rates[k] = change(k, value) / std::abs(part); });
     const auto touch = static_cast<Scalar>(set_.options.touch);
     for (std::size_t k = 0; k < count; ++k) {
       values[k] = touch * std::max(epsilon * terms[k], noise[k]) + Scalar(8) * epsilon * std::abs(t) * rates[k];
