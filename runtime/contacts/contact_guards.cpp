@@ -121,6 +121,7 @@ std::optional<bool> ContactAutomaton::pass_jump_of_forces(double t, std::span<do
 // Two that stick may hold a hinge that is all but on their line, as that of a leg on the side of a box that comes to rest on it.
 // What they cannot hold grows beyond rounding as it comes down.
 std::optional<bool> ContactAutomaton::pass_loss_of_rank(double t, std::span<double> y) {
+  if (motion_.reading().A.rows() > 0) return std::nullopt;  // a dead centre of a loop is none of the contacts'
   const auto lost = [&](double after, std::span<const double> there) {
     return motion_.read(t + after, there) && motion_.solve(t + after, there) == Evaluation::singular;
   };
