@@ -167,7 +167,7 @@ enum class ContactVerdict { unique, indeterminate, several, none, not_examined, 
     case ContactVerdict::none:
       return "no motion fulfils the laws of contact";
     case ContactVerdict::not_examined:
-      return "one motion was found, and others were not looked for, or not all of them";
+      return "one motion was found, and others were not looked for";
     case ContactVerdict::not_found:
       return "no motion was found, and not all regimes were tried";
   }

@@ -18,7 +18,7 @@ namespace torsor::runtime {
 
 ContactAnswer RegimeEnumeration::run(bool thoroughly) noexcept {
   thoroughly_ = thoroughly;
-  complete_ = true;
+  tried_ = complete_ = true;
   try_all();
   // Where bounds leave one place alone, rounding may hide it in the regimes that stand for others.
   if (answer_.count == 0 && left_out_) {
@@ -102,7 +102,7 @@ ContactAnswer RegimeEnumeration::finish() noexcept {
   } else if (found[0].indeterminate) {
     answer_.verdict = ContactVerdict::indeterminate;
   } else {
-    answer_.verdict = complete_ || is_convex() ? ContactVerdict::unique : ContactVerdict::not_examined;
+    answer_.verdict = tried_ || is_convex() ? ContactVerdict::unique : ContactVerdict::not_examined;
   }
   return answer_;
 }

@@ -89,7 +89,8 @@ class RegimeEnumeration {
   bool relates_;
   bool thoroughly_ = false;
   bool left_out_ = false;  ///< regimes that others stand for
-  bool complete_ = false;  ///< all combinations were tried, and whatever the directions, each motion is among them
+  bool tried_ = false;     ///< all combinations were
+  bool complete_ = false;  ///< and whatever the directions, each motion is among them
   bool moves_ = false;     ///< reactions that fit give different motions without end
 };
 

@@ -73,17 +73,5 @@ TEST(SlipsTogether, OfThreeFeetAreFoundWhereverTheyGo) {
   for (const unsigned seed : {34U, 46U, 50U, 96U, 111U, 305U, 475U, 480U}) EXPECT_TRUE(finds(made(seed, 3))) << seed;
 }
 
-// Not all directions of three slips are tried: a motion that was found alone may have others beside it.
-TEST(SlipsTogether, AreNotCalledUniqueWhereOthersMayBeMissed) {
-  int alone = 0;
-  for (unsigned seed = 1; seed <= 6; ++seed) {
-    const ContactAnswer answer = solve_contacts(made(seed, 0.3).problem);
-    if (answer.count != 1 || answer.best().indeterminate) continue;
-    ++alone;
-    EXPECT_EQ(answer.verdict, ContactVerdict::not_examined) << seed;
-  }
-  EXPECT_GT(alone, 0);
-}
-
 }  // namespace
 }  // namespace slips_together_test
