@@ -79,12 +79,12 @@ class RootPage final : public Page {
   }
   void matrix(const Spelling& name, const std::string& entry, const std::vector<std::vector<Written>>& rows) override {
     for (const auto& row : rows) {
-      for (const Written& each : row) see(each);
+      for (const Written& each : row) count(each);  // signs are those of the equations
     }
     lines_.emplace_back([=, this] {
       std::vector<std::vector<Written>> with_names = rows;
       for (auto& row : with_names) {
-        for (Written& each : row) each = finished(each);
+        for (Written& each : row) each = squares_.oriented_entry(named_in(each));
       }
       page_->matrix(name, entry, with_names);
     });

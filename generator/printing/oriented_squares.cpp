@@ -43,4 +43,17 @@ Written OrientedSquares::oriented(Written written) const {
   return written;
 }
 
+Written OrientedSquares::oriented_entry(Written entry) const {
+  for (WrittenTerm& term : entry) {
+    for (WrittenFactor& factor : term.factors) {
+      if (!is_sum(factor) || factor.halves != 2 || factors_.count(text(factor.inside)) > 0) continue;
+      Written other = opposite(factor.inside);
+      if (factors_.count(text(other)) == 0) continue;
+      factor.inside = std::move(other);
+      term.coefficient = -term.coefficient;
+    }
+  }
+  return oriented(std::move(entry));
+}
+
 }  // namespace torsor::printing

@@ -14,6 +14,8 @@ class OrientedSquares {
   /// Looks at what the page has.
   void see(const Written& written);
   Written oriented(Written written) const;
+  /// An entry of a matrix: b − a in a product is −(a − b) there.
+  Written oriented_entry(Written entry) const;
 
  private:
   std::set<std::string> factors_;  // texts of sums in parentheses to the first power
