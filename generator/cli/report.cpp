@@ -158,9 +158,9 @@ Motion motion_of(const Scene& scene, const ReportOptions& options) {
   const ModelOptions& given = options.model;
   std::vector<std::string> names{"forward_dynamics", "energy", "first_integrals", "poses"};
   const bool constrained = !content.constraints.empty();
-  constexpr std::size_t most = 12;  // coordinates whose modes a reader looks at one by one
+  constexpr std::size_t most = 12;  // freedoms, attitudes' too, whose modes a reader looks at one by one
   if (constrained) names.emplace_back("constraints");  // and M: projection in its metric
-  const bool modes = content.coordinates.size() + 3 * content.attitudes.size() <= most;
+  const bool modes = content.coordinates.size() <= most;
   if (constrained || modes) names.emplace_back("mass_matrix");
   const ModelOptions left_to_reader = options_of_motion(scene, given);
   const MechanismListing mechanism = lower_mechanism(scene, names, left_to_reader);

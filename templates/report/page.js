@@ -71,7 +71,7 @@ function row(parent, { name, unit, value, low, high, change }) {
   const line = document.createElement("div"), text = document.createElement("span"), slider = document.createElement("input");
   const number = document.createElement("input"), units = document.createElement("span");
   line.className = "row";
-  name.split(/(?<=_)/).forEach((part) => text.append(part, document.createElement("wbr")));  // long names break behind _
+  name.match(/[^_]*_|[^_]+$/g).forEach((part) => text.append(part, document.createElement("wbr")));  // long names break behind _
   units.textContent = written(unit);
   Object.assign(slider, { type: "range", min: low, max: high, step: "any", value });
   Object.assign(number, { type: "number", step: "any", value: Number(value.toPrecision(6)) });
