@@ -141,7 +141,7 @@ std::optional<bool> ContactAutomaton::pass_loss_of_rank(double t, std::span<doub
   impulses_.setZero(motion_.rows());
   ends_too_.fill(false);
   has_event_ = false;
-  if (!decide(std::nullopt, Cause::none)) return std::nullopt;
+  if (!decide(std::nullopt, Cause::none)) return result_.status == ContactStatus::reached_end ? std::nullopt : std::optional(false);
   for (int i = count(); i-- > 0;) {
     if (before[as(i)].regime != ContactRegime::sticks || motion_.states[as(i)].regime == ContactRegime::sticks) continue;
     if (!motion_.states[as(i)].touches) bounces_[as(i)].left = result_.time;

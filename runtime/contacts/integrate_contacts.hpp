@@ -177,14 +177,15 @@ class ContactRun {
       if (piece.status == EventStatus::integration_failed && jumping) {
         return automaton_.pass_edge(*jumping, piece.time, y_) && told();
       }
-      if (piece.status == EventStatus::integration_failed && piece.integration.status != IntegrationStatus::too_many_steps) {
-        const std::optional<bool> passed = automaton_.pass_loss_of_rank(piece.time, y_);
-        if (passed) careful_ = {};  // these ended just here
-        if (passed) return *passed && told();
-      }
       if (piece.integration.status != IntegrationStatus::too_many_steps) {
         const std::optional<int> flat = automaton_.motion().without_point(piece.time, y_);
         if (flat) return automaton_.end(ContactStatus::no_point, flat);
+        const bool lost = piece.status == EventStatus::integration_failed;
+        const std::optional<bool> passed = lost ? automaton_.pass_loss_of_rank(piece.time, y_) : std::nullopt;
+        if (passed) {
+          careful_ = {};  // these ended just here
+          return *passed && told();
+        }
       }
       const bool of_a_guard = piece.status == EventStatus::guard_not_followed || piece.status == EventStatus::beyond_barrier;
       const auto contact = static_cast<int>(piece.guard / ContactAutomaton::guards);

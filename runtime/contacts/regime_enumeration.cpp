@@ -425,7 +425,9 @@ void RegimeEnumeration::turn_to_family(Regimes& regimes, ContactVector& r, Conta
     }
     return true;
   };
-  for (double margin = 0.1; margin > 1e-6; margin /= 10) {
+  // A motion that no reactions hold yet is looked for at two distances from their bounds: there are many such combinations.
+  const double least = family.found ? 1e-6 : 1e-4, part = family.found ? 10 : 100;
+  for (double margin = 0.1; margin > least; margin /= part) {
     RegimeSystem system(problem_, scale_, regimes);
     if (!system.solve()) break;
     system.approach(r);
