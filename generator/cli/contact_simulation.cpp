@@ -310,7 +310,8 @@ void add_columns(EvaluatedContacts& contacts, ContactRecord& record) {
   // Contacts change what the mechanism would conserve without them.
   constexpr std::string_view prefix = "first_integral_";
   for (const EvaluatedMotion::Observed& each : motion.observed()) {
-    add(each.name.starts_with(prefix) ? each.name.substr(prefix.size()) : each.name, each.unit);
+    const bool conserved = each.name.starts_with(prefix);
+    add(conserved ? "without_contacts_" + each.name.substr(prefix.size()) : each.name, each.unit);
   }
   record.numbers = motion.symbols().size();
   for (const SymbolPointer& input : motion.equations().model().inputs()) record.inputs.push_back(input->name);

@@ -304,6 +304,12 @@ bool has_parentheses(const Written& written) {
   });
 }
 
+bool has_denominators(const Written& written) {
+  return std::any_of(written.begin(), written.end(), [](const WrittenTerm& term) {
+    return std::any_of(term.factors.begin(), term.factors.end(), [](const WrittenFactor& factor) { return factor.halves < 0; });
+  });
+}
+
 /// b − a rather than −a + b.
 void lead_by_plus(Written& written) {
   const auto is_plus = [](const WrittenTerm& term) { return term.coefficient.sign() > 0; };
@@ -360,9 +366,11 @@ Written collected_entry(const Sum& sum) {
   Sum rest;
   for (const auto& [product, value] : sum.terms()) rest.add(product * inverse(common), value / number);
   Written inside = collected(rest);
-  const std::vector<WrittenFactor> sums = inside.size() < 2 ? std::vector<WrittenFactor>() : take_shared_sums(inside);
+  const bool shares = alike && inside.size() > 1;
+  const std::vector<WrittenFactor> sums = shares ? take_shared_sums(inside) : std::vector<WrittenFactor>();
   constexpr std::size_t most = 4;  // terms that are read within parentheses
-  if ((common.empty() && sums.empty()) || inside.size() < 2 || inside.size() > most || has_parentheses(inside)) {
+  const bool readable = inside.size() > 1 && inside.size() <= most && !has_parentheses(inside) && !has_denominators(inside);
+  if ((common.empty() && sums.empty()) || !readable) {
     if (whole.size() == 2) lead_by_plus(whole);
     return whole;
   }
