@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # check_sources.sh ROOT: the rules of the layout that a compiler does not check. Prints each violation and fails.
 #  * a file of generator/ includes its own layer or a lower one, and so within the folders of generator/dynamics and
-#    runtime; runtime/ and examples' mains never include generator/, and of generator/ only cli includes runtime/contacts;
+#    runtime; runtime/ and examples' mains never include generator/, and of generator/ only cli includes runtime/contacts and the
+#    methods of runtime/integration by which they move;
 #  * headers are "torsor/generator/..." and "torsor/runtime/...", which no folder of a user's project can be taken for;
 #  * a generated header includes <array> and <cmath> only;
 #  * the SPDX line near the top names the licence of the folder;
@@ -76,7 +77,7 @@ awk '
         else if (room_height[other] > room_height[room] && file != "runtime/mechanism.hpp")  # it makes motions: on all of them
           violation(file ":" number ": " room " includes " other ", which stands higher (" path ")")
       }
-      if (folder == "generator" && piece[1] == "runtime" && !(part[2] == "cli" && piece[2] == "contacts")) violation(file ":" number ": generator includes runtime (" path ")")
+      if (folder == "generator" && piece[1] == "runtime" && !(part[2] == "cli" && piece[2] ~ /^(contacts|integration)$/)) violation(file ":" number ": generator includes runtime (" path ")")
       if (folder == "runtime" && piece[1] == "generator") violation(file ":" number ": runtime includes generator (" path ")")
       if (file ~ /^examples\/[^\/]*\/main/ && piece[1] == "generator")
         violation(file ":" number ": a main includes generator (" path "); only its scene may")

@@ -376,19 +376,6 @@ TEST(Guards, ThatAreNoNumberEndWithAStatus) {
   EXPECT_EQ(no_start.integration.status, IntegrationStatus::invalid_options);
 }
 
-// As the force of a contact beside others that hold no changed state.
-TEST(Guards, WithoutAValueBesideTheMotionAreFound) {
-  const auto sinks = [](double, const State&, State& dydt) noexcept {
-    dydt = {-1.0, 0.0};
-    return Evaluation::ok;
-  };
-  State y{1.0, 0.25};
-  const auto level = [](double, const State& s) { return s[1] == 0.25 ? s[0] : std::numeric_limits<double>::quiet_NaN(); };
-  const auto result = integrate_with_events(sinks, y, 0, 3, precise, Events(stop_at(level, Crossing::falling)));
-  EXPECT_EQ(result.status, EventStatus::stopped_at_event) << describe(result.status);
-  EXPECT_NEAR(result.time, 1, 1e-14);
-}
-
 TEST(Guards, BeyondABarrierAtTheStartAreReported) {
   State y{-0.1, 0.0};
   const auto result = integrate_with_events(fall, y, 0, 2, precise, Events(barrier(height, restitution(0.5))));

@@ -165,5 +165,19 @@ TEST(Guards, AtTheSameTimeAsAResetAreNotLost) {
   }
 }
 
+// As the force of a contact beside others that hold no changed state.
+TEST(GuardValues, WithoutAValueBesideTheMotionAreFound) {
+  const auto sinks = [](double, const State&, State& dydt) noexcept {
+    dydt = {-1.0, 0.0};
+    return Evaluation::ok;
+  };
+  State y{1.0, 0.25};
+  const auto level = [](double, const State& s) { return s[1] == 0.25 ? s[0] : std::numeric_limits<double>::quiet_NaN(); };
+  const DormandPrince54 method{.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12};
+  const auto result = integrate_with_events(sinks, y, 0, 3, method, Events(stop_at(level, Crossing::falling)));
+  EXPECT_EQ(result.status, EventStatus::stopped_at_event) << describe(result.status);
+  EXPECT_NEAR(result.time, 1, 1e-14);
+}
+
 }  // namespace
 }  // namespace guard_values_test
