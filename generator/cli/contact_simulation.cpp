@@ -307,12 +307,7 @@ void add_columns(EvaluatedContacts& contacts, ContactRecord& record) {
   EvaluatedMotion& motion = contacts.motion();
   add("time", "s");
   for (const SymbolPointer& symbol : motion.symbols()) add(symbol->name, written_unit(*symbol));
-  // Contacts change what the mechanism would conserve without them.
-  constexpr std::string_view prefix = "first_integral_";
-  for (const EvaluatedMotion::Observed& each : motion.observed()) {
-    const bool conserved = each.name.starts_with(prefix);
-    add(conserved ? "without_contacts_" + each.name.substr(prefix.size()) : each.name, each.unit);
-  }
+  for (const EvaluatedMotion::Observed& each : motion.observed()) add(each.name, each.unit);
   record.numbers = motion.symbols().size();
   for (const SymbolPointer& input : motion.equations().model().inputs()) record.inputs.push_back(input->name);
   for (int i = 0; i < contacts.count(); ++i) {

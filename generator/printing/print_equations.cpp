@@ -312,7 +312,7 @@ class Printer {
     matrix("M", linear.M);
     matrix("C", linear.C);
     matrix("K", linear.K);
-    matrix("F", column(linear.F));
+    matrix("F", column(linear.F), true);
     matrix("E", linear.E);
     if (!equations_.constraints().empty()) reduced_linearisation();
   }
@@ -382,26 +382,29 @@ class Printer {
                     say("$e$: of {}; $w$: of the rates of {}. Multipliers are those of the state.", listed(dollars(reduced->coordinates)),
                         listed(dollars(reduced->velocities))));
     }
-    const auto write = [this](const std::string& name, const SumMatrix& entries) {
-      matrix({name + "_r", fmt::format("\\mathbf{{{}}}_r", name)}, name + "_r", entries);
+    const auto write = [this](const std::string& name, const SumMatrix& entries, bool right_side = false) {
+      matrix({name + "_r", fmt::format("\\mathbf{{{}}}_r", name)}, name + "_r", entries, right_side);
     };
     write("M", reduced->M);
     write("C", reduced->C);
     write("K", reduced->K);
-    write("F", column(reduced->F));
+    write("F", column(reduced->F), true);
     write("E", reduced->E);
     if (reduced->rates_are_velocities()) return;
     matrix("D", reduced->D);
     matrix("N", reduced->N);
   }
 
-  void matrix(const std::string& name, const SumMatrix& entries) { matrix(bold(name), name, entries); }
+  void matrix(const std::string& name, const SumMatrix& entries, bool right_side = false) {
+    matrix(bold(name), name, entries, right_side);
+  }
 
-  void matrix(const Spelling& name, const std::string& entry, const SumMatrix& matrix) {
+  /// A right side is written term by term, as that of an equation.
+  void matrix(const Spelling& name, const std::string& entry, const SumMatrix& matrix, bool right_side) {
     std::vector<std::vector<Written>> rows;
     for (const auto& row : matrix) {
       std::vector<Written> entries;
-      for (const Sum& sum : row) entries.push_back(entry.starts_with("F") ? collected(sum) : collected_entry(sum));  // F: a right side
+      for (const Sum& sum : row) entries.push_back(right_side ? collected(sum) : collected_entry(sum));
       rows.push_back(std::move(entries));
     }
     page_.matrix(name, entry, rows);

@@ -458,9 +458,9 @@ double EvaluatedMotion::value(double t, const std::vector<double>& y, const Valu
 std::vector<EvaluatedMotion::Observed> EvaluatedMotion::observed() const {
   std::vector<Observed> all{{"kinetic_energy", "J"}, {"potential_energy", "J"}, {"mechanical_energy", "J"}};
   if (!integrals_.skipped.empty()) return all;
-  for (const Member& each : integrals_.structures.at(0).members) {
-    all.push_back({"first_integral_" + each.name, each.meaning.unit});
-  }
+  // Contacts change what the mechanism would conserve without them.
+  const std::string kind = equations_.scene().content().contacts.empty() ? "first_integral_" : "without_contacts_";
+  for (const Member& each : integrals_.structures.at(0).members) all.push_back({kind + each.name, each.meaning.unit});
   return all;
 }
 

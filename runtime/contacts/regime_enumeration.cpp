@@ -131,7 +131,7 @@ bool RegimeEnumeration::ends(const ContactSolution& one, const ContactSolution& 
   return same || (stays && !leaves);
 }
 
-// Whether two motions differ by less than forces that count as unique may differ.
+// Whether two motions are as good as one, but for what the search for directions may be off by.
 bool RegimeEnumeration::is_close(const ContactSolution& one, const ContactSolution& other) const noexcept {
   const ContactVector sizes = scale_.motions(problem_.W.cwiseAbs() * one.r.cwiseAbs() + problem_.q.cwiseAbs());
   return largest_part(one.u - other.u, sizes) <= 1e-4;
@@ -412,7 +412,7 @@ void RegimeEnumeration::turn_to_family(Regimes& regimes, ContactVector& r, Conta
     const RegimeInequalities inequalities(problem_, scale_, system);
     const ContactVector reactions = system.reactions(), motion = problem_.W * reactions + problem_.q;
     if (!inequalities.hold(reactions, motion, slack)) return false;
-    // Inside where nothing is missing: what would be looked for elsewhere has other directions.
+    // These reactions must lie inside themselves: others would turn the slips, for which the directions were found.
     const ContactVector place = system.x();
     if (margin > 0 && !(inequalities.find(system, margin / 4).inside && system.x() == place)) return false;
     regimes = turned;
