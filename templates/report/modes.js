@@ -286,6 +286,7 @@ class SmallMotions {
     const rate = Math.sqrt(Math.abs(square)), known = Math.floor(-Math.log10(off / Math.abs(square)));
     const digits = Math.max(1, Math.min(4, known)), written = (number, more) => number.toPrecision(Math.min(digits + more, 5));
     if (!(square > 0)) return `«leaves the rest as exp(${written(rate, 0)} t)»`;
+    if (damping >= 1) return `«does not swing, comes back slowly; damping ratio ${damping.toPrecision(3)}»`;
     const swings = `${written(rate / (2 * Math.PI), 0)} Hz (${written(rate, 1)} rad/s)`;
     return damping === 0 ? swings : `${swings}«, damping ratio ${damping.toPrecision(3)}»`;
   }

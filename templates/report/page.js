@@ -258,10 +258,14 @@ function findRest() {
   }
   const stable = small.modes.every(({ square, neutral }) => neutral || square > 0);
   const place = mechanism.coordinates.map((each, i) => `${each.name} = ${label(small.q[i])}`).join(", ");
-  const { zeroRoots } = small, lowest = zeroRoots ? "«where all that is not neutral swings»" : "«where the potential energy has a minimum along all that is not neutral»";
+  const { zeroRoots } = small;
+  const lowest = zeroRoots ? "«where all that is not neutral swings»"
+                           : "«where the potential energy has a minimum along all that is not neutral»";
+  const neighbours = "«constraints on velocities let the mechanism rest at neighbouring places too.»";
+  const roots = zeroRoots === 1 ? "«Beside these modes there is one zero root:»" : `«Beside these modes there are ${zeroRoots} zero roots:»`;
   element("rest").textContent = `«A rest, »${stable ? lowest : "«unstable without gyroscopic forces»"}: ${place}. ` +
     "«Modes leave damping and gyroscopic forces out.»" + (small.modes.some(({ damping }) => damping) ? "« Damping ratios are right to first order in damping.»" : "") +
-    (zeroRoots ? `« Beside these modes there are ${zeroRoots} zero roots: constraints on velocities let the mechanism rest at neighbouring places too.»` : "");
+    (zeroRoots ? ` ${roots} ${neighbours}` : "");
   small.modes.forEach((each, i) => {
     const button = document.createElement("button");
     button.type = "button";

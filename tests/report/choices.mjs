@@ -82,6 +82,8 @@ function opened(name, ...options) {
   expect(size < 0.4, `a picture of 0.6 m is ${2 * size} m wide`);
   expect(Math.abs(turns.shape[1] - 0.5 * turns.shape[2]) < 1e-9 && turns.damping === 0, `it turns as ${turns.shape}`);
   expect(Math.abs(runs.damping - 0.05) < 1e-6 && SmallMotions.words(runs) === "0.7958 Hz (5.0000 rad/s), damping ratio 0.0500", SmallMotions.words(runs));
+  const creeps = SmallMotions.words({ ...runs, damping: 1.25 });
+  expect(creeps === "does not swing, comes back slowly; damping ratio 1.25", creeps);
 }
 {  // m g l over the moments of inertia about the point that holds it, and no force about the vertical.
   const { mechanism, Motion, SmallMotions } = opened("floating"), tilted = [Math.cos(0.2), Math.sin(0.2) * 0.6, Math.sin(0.2) * 0.8, 0];

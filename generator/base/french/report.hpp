@@ -123,13 +123,15 @@ constexpr Translation french_of_report[] = {
     {"the constraints leave no motion", "les équations de liaison ne laissent aucun mouvement"},
     {"constraints on velocities act there by forces that have no potential energy",
      "les liaisons non holonomes y exercent des efforts qui ne dérivent pas d'une énergie potentielle"},
+    {"does not swing, comes back slowly; damping ratio ${damping.toPrecision(3)}",
+     "n'oscille pas, revient lentement ; taux d'amortissement ${damping.toPrecision(3)}"},
     {", damping ratio ${damping.toPrecision(3)}", ", taux d'amortissement ${damping.toPrecision(3)}"},
     {" Damping ratios are right to first order in damping.", " Les taux d'amortissement sont justes au premier ordre."},
     {"where all that is not neutral swings", "où tout ce qui n'est pas indifférent oscille"},
-    {" Beside these modes there are ${zeroRoots} zero roots: constraints on velocities let the mechanism rest at neighbouring "
-     "places too.",
-     " Outre ces modes il y a ${zeroRoots} racines nulles : les liaisons non holonomes laissent le mécanisme en équilibre aussi aux "
-     "positions voisines."},
+    {"Beside these modes there is one zero root:", "Outre ces modes il y a une racine nulle :"},
+    {"Beside these modes there are ${zeroRoots} zero roots:", "Outre ces modes il y a ${zeroRoots} racines nulles :"},
+    {"constraints on velocities let the mechanism rest at neighbouring places too.",
+     "les liaisons non holonomes laissent le mécanisme en équilibre aussi aux positions voisines."},
     {"time enters its masses or its forces", "le temps figure dans ses masses ou ses forces"},
     {"The constraints do not allow these start values: the motion starts at ${where}, in brackets what was asked for.",
      "Les équations de liaison ne permettent pas ces valeurs initiales : le mouvement part de ${where}, entre parenthèses ce qui était "
