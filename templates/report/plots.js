@@ -16,16 +16,51 @@ function written(unit) {
   return unit === "1" ? "" : unit.replace(/\^(-?\d+)/g, (_, power) => [...power].map((c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c])).join(""));
 }
 
-class Plot {
-  /// `curves`: [{name, unit, value(k)}]; `words` says for those who do not see it what it shows.
-  constructor(parent, title, unit, curves, onTime) {
-    Object.assign(this, { unit, curves, data: curves.map(() => []) });
-    const figure = document.createElement("figure"), caption = document.createElement("figcaption");
-    caption.textContent = unit ? `${title} [${written(unit)}]` : title;
+/// A canvas with a mark over it, which follows the animation. Curves are drawn when they change: without a graphics card
+/// that takes a browser ten times the time of a frame.
+class Chart {
+  constructor(parent, title, words) {
     this.canvas = document.createElement("canvas");
     this.canvas.className = "plot";
     this.canvas.setAttribute("role", "img");
-    this.canvas.setAttribute("aria-label", `${caption.textContent}« over time: »${curves.map((curve) => curve.name).join(", ")}`);
+    this.canvas.setAttribute("aria-label", words);
+    this.mark = document.createElement("div");
+    this.figure = document.createElement("figure");
+    const caption = document.createElement("figcaption"), plane = document.createElement("div");
+    caption.textContent = title;
+    plane.className = "plane";
+    plane.append(this.canvas, this.mark);
+    this.figure.append(caption, plane);
+    parent.append(this.figure);
+  }
+
+  /// An empty canvas where this picture, which `content` tells from others, is not there yet; `draw` gets its context, its size
+  /// and its colours.
+  drawOnce(content, draw) {
+    const { canvas } = this, ratio = Math.min(window.devicePixelRatio || 1, 2), box = [canvas.clientWidth, canvas.clientHeight];
+    if (box[0] === 0) return;
+    const style = getComputedStyle(canvas), colour = { ink: style.color };
+    for (const name of ["line", "back"]) colour[name] = style.getPropertyValue(`--${name}`);
+    const picture = [...content, ...box, ratio, ...Object.values(colour)].join();
+    if (picture === this.picture) return;
+    this.picture = picture;
+    canvas.width = Math.round(box[0] * ratio), canvas.height = Math.round(box[1] * ratio);
+    const context = canvas.getContext("2d");
+    context.scale(ratio, ratio);
+    context.font = "11px system-ui, sans-serif";
+    draw(context, box, colour);
+  }
+
+  moveMark(x, y) { this.mark.style.transform = `translate(${x}px, ${y}px)`; }
+}
+
+class Plot extends Chart {
+  /// `curves`: [{name, unit, value(k)}]; `words` says for those who do not see it what it shows.
+  constructor(parent, title, unit, curves, onTime) {
+    const shown = unit ? `${title} [${written(unit)}]` : title;
+    super(parent, shown, `${shown}« over time: »${curves.map((curve) => curve.name).join(", ")}`);
+    Object.assign(this, { unit, curves, title, data: curves.map(() => []) });
+    this.mark.className = "instant";
     this.legend = document.createElement("ul");
     this.legend.className = "legend";
     this.values = curves.map((curve, i) => {
@@ -37,9 +72,7 @@ class Plot {
       this.legend.append(item);
       return value;
     });
-    this.title = title;
-    figure.append(caption, this.canvas, this.legend);
-    parent.append(figure);
+    this.figure.append(this.legend);
     const at = (event) => {
       if (event.type === "pointermove" && event.buttons === 0) return;
       const box = this.canvas.getBoundingClientRect();
@@ -49,7 +82,10 @@ class Plot {
     this.canvas.addEventListener("pointermove", at);
   }
 
-  clear() { this.data = this.curves.map(() => []); }
+  clear() {
+    this.data = this.curves.map(() => []);
+    this.picture = "";
+  }
 
   /// Reads samples that came since.
   read(count) {
@@ -61,21 +97,28 @@ class Plot {
   /// `events`: [{time}], marked on the axis of time.
   draw(interval, end, now, events = []) {
     this.end = end;
-    const { canvas } = this, ratio = Math.min(window.devicePixelRatio || 1, 2), box = [canvas.clientWidth, canvas.clientHeight];
-    if (box[0] === 0) return;
-    canvas.width = Math.round(box[0] * ratio), canvas.height = Math.round(box[1] * ratio);
-    const context = canvas.getContext("2d"), style = getComputedStyle(canvas);
-    context.scale(ratio, ratio);
-    context.font = "11px system-ui, sans-serif";
+    this.drawOnce([this.data[0].length, end, events.length], (context, box, colour) => {
+      this.drawCurves(context, box, colour, interval, events);
+    });
+    if (this.sides) this.moveMark(this.sides[0] + (this.sides[1] - this.sides[0]) * now / end, 0);
+    const k = Math.round(now / interval);
+    this.values.forEach((value, i) => {
+      value.textContent = k < this.data[i].length ? label(this.data[i][k]) : "";
+    });
+  }
+
+  drawCurves(context, box, colour, interval, events) {
+    const { end } = this;
     let low = Infinity, high = -Infinity;
     for (const data of this.data) for (const value of data) if (Number.isFinite(value)) [low, high] = [Math.min(low, value), Math.max(high, value)];
     if (!(low <= high)) [low, high] = [-1, 1];
     const least = 1e-12 * Math.max(1e-6, Math.abs(low), Math.abs(high));
     if (high - low < least) [low, high] = [low - Math.max(least, 0.5 * Math.abs(low) || 1), high + Math.max(least, 0.5 * Math.abs(high) || 1)];
     const left = 56, right = box[0] - 10, top = 8, bottom = box[1] - 18;
+    this.sides = [left, right];
     const x = (t) => left + ((right - left) * t) / end, y = (v) => bottom - ((bottom - top) * (v - low)) / (high - low);
-    context.strokeStyle = style.getPropertyValue("--line");
-    context.fillStyle = style.color;
+    context.strokeStyle = colour.line;
+    context.fillStyle = colour.ink;
     context.lineWidth = 1;
     const stepY = torsorReport.niceStep((high - low) / 4), stepX = torsorReport.niceStep(end / 6);
     context.textAlign = "right";
@@ -101,14 +144,7 @@ class Plot {
       }
       context.stroke();
     });
-    if (this.withDots) this.drawDots(context, x, y, style.getPropertyValue("--back"));
-    context.strokeStyle = style.color;
-    context.lineWidth = 1;
-    line(context, x(now), top, x(now), bottom);
-    const k = Math.round(now / interval);
-    this.values.forEach((value, i) => {
-      value.textContent = k < this.data[i].length ? label(this.data[i][k]) : "";
-    });
+    if (this.withDots) this.drawDots(context, x, y, colour.back);
   }
 
   /// The reference trajectory's.
@@ -139,20 +175,17 @@ class Plot {
 }
 
 /// A phase portrait: one quantity over another, with a dot where the motion is.
-class Portrait {
+class Portrait extends Chart {
   constructor(parent, title, acrossName, upName, { x, y }) {
+    super(parent, title, `«Phase portrait, »${title}`);
     Object.assign(this, { title, acrossName, upName, sources: [x, y], data: [[], []] });
-    const figure = document.createElement("figure"), caption = document.createElement("figcaption");
-    caption.textContent = title;
-    this.canvas = document.createElement("canvas");
-    this.canvas.className = "plot";
-    this.canvas.setAttribute("role", "img");
-    this.canvas.setAttribute("aria-label", `«Phase portrait, »${title}`);
-    figure.append(caption, this.canvas);
-    parent.append(figure);
+    this.mark.className = "place";
   }
 
-  clear() { this.data = [[], []]; }
+  clear() {
+    this.data = [[], []];
+    this.picture = "";
+  }
   read(count) {
     this.sources.forEach((source, i) => {
       for (let k = this.data[i].length; k < count; ++k) this.data[i].push(source(k));
@@ -160,12 +193,13 @@ class Portrait {
   }
 
   draw(interval, end, now) {
-    const { canvas } = this, ratio = Math.min(window.devicePixelRatio || 1, 2), box = [canvas.clientWidth, canvas.clientHeight];
-    if (box[0] === 0 || this.data[0].length === 0) return;
-    canvas.width = Math.round(box[0] * ratio), canvas.height = Math.round(box[1] * ratio);
-    const context = canvas.getContext("2d"), style = getComputedStyle(canvas);
-    context.scale(ratio, ratio);
-    context.font = "11px system-ui, sans-serif";
+    if (this.data[0].length === 0) return;
+    this.drawOnce([this.data[0].length], (context, box, colour) => this.drawCurve(context, box, colour));
+    const k = Math.min(this.data[0].length - 1, Math.round(now / interval));
+    if (this.at) this.moveMark(...this.at(k));
+  }
+
+  drawCurve(context, box, colour) {
     const extent = (data) => {
       let low = Infinity, high = -Infinity;
       for (const value of data) if (Number.isFinite(value)) [low, high] = [Math.min(low, value), Math.max(high, value)];
@@ -175,8 +209,9 @@ class Portrait {
     };
     const [[x0, x1], [y0, y1]] = this.data.map(extent), left = 56, right = box[0] - 10, top = 8, bottom = box[1] - 32;
     const x = (v) => left + ((right - left) * (v - x0)) / (x1 - x0), y = (v) => bottom - ((bottom - top) * (v - y0)) / (y1 - y0);
-    context.strokeStyle = style.getPropertyValue("--line");
-    context.fillStyle = style.color;
+    this.at = (k) => [x(this.data[0][k]), y(this.data[1][k])];
+    context.strokeStyle = colour.line;
+    context.fillStyle = colour.ink;
     context.lineWidth = 1;
     const stepX = torsorReport.niceStep((x1 - x0) / 5), stepY = torsorReport.niceStep((y1 - y0) / 4);
     context.textAlign = "right";
@@ -195,11 +230,6 @@ class Portrait {
     context.beginPath();
     this.data[0].forEach((value, k) => (k === 0 ? context.moveTo(x(value), y(this.data[1][k])) : context.lineTo(x(value), y(this.data[1][k]))));
     context.stroke();
-    const k = Math.min(this.data[0].length - 1, Math.round(now / interval));
-    context.fillStyle = colours[1];
-    context.beginPath();
-    context.arc(x(this.data[0][k]), y(this.data[1][k]), 4, 0, 2 * Math.PI);
-    context.fill();
   }
 
   describe() {

@@ -6,9 +6,10 @@ import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 
 export class Browser {
-  /// Where nobody looks, pictures have a quarter of the pixels in each direction, and the page is not put together by the
-  /// graphics processor, which is software here: half the processors' time.
-  static async start(program, { width = 1100, height = 900, unseen = false } = {}) {
+  /// Where nobody looks, pictures have a quarter of the pixels in each direction. `software`: the page is not put together by
+  /// the graphics processor, which is software here. So a browser does by itself on a machine without a graphics card: half
+  /// the processors' time.
+  static async start(program, { width = 1100, height = 900, unseen = false, software = unseen } = {}) {
     const browser = new Browser();
     browser.folder = mkdtempSync(join(tmpdir(), "torsor-browser-"));
     browser.process = spawn(program, [
@@ -16,7 +17,7 @@ export class Browser {
       // A page of which nobody sees a window would wait behind all other work of the machine.
       "--enable-unsafe-swiftshader", "--disable-renderer-backgrounding", "--disable-backgrounding-occluded-windows", "--disable-background-networking", "--disable-component-update", "--no-first-run",
       `--window-size=${width},${height}`, `--user-data-dir=${browser.folder}`, "--remote-debugging-pipe",
-      ...(unseen ? ["--disable-gpu-compositing"] : []), "about:blank",
+      ...(software ? ["--disable-gpu-compositing"] : []), "about:blank",
     ], { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] });
     browser.waiting = new Map();
     browser.number = 0;

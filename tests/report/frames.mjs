@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // frames.mjs BROWSER PROGRAM...: frames a second of the reports of scene programs (or of "torsor FILE") while they move, after
-// they have been integrated, and the processor time of a frame. The browser draws without a graphics card.
+// they have been integrated, and the processor time of a frame. The browser draws as it does on a machine
+// without a graphics card.
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -9,7 +10,7 @@ import { Browser } from "./browser.mjs";
 
 const [program, ...scenes] = process.argv.slice(2);
 const folder = mkdtempSync(join(tmpdir(), "torsor-frames-"));
-const browser = await Browser.start(program, { width: 1100, height: 900 });
+const browser = await Browser.start(program, { width: 1100, height: 900, software: true });
 
 /// Processor time of all processes of the browser so far [s].
 async function processorTime() {
