@@ -20,18 +20,21 @@ if TYPE_CHECKING:
     from ._load import LoadError, load
     from ._mechanism import Equilibrium, Mechanism, Modes, State
     from ._motion import Motion
+    from ._task_inertia import TaskInertia
 
 __version__ = "0.1.0"
 
 __all__ = ["Bound", "Contact", "ContactEvent", "Equilibrium", "Kernel", "LoadError", "Mechanism", "Modes", "Motion",
-           "NotFiniteError", "Results", "SingularError", "State", "TorsorError", "load", "open"]
+           "NotFiniteError", "Results", "SingularError", "State", "TaskInertia", "TorsorError", "load",
+           "open"]
 
 _HOMES = {name: home for home, names in {
     "_contacts": ("Contact", "ContactEvent"),
     "_kernel": ("Bound", "Kernel", "NotFiniteError", "Results", "SingularError", "TorsorError"),
     "_load": ("LoadError", "load"),
     "_mechanism": ("Equilibrium", "Mechanism", "Modes", "State"),
-    "_motion": ("Motion",)}.items() for name in names}
+    "_motion": ("Motion",),
+    "_task_inertia": ("TaskInertia",)}.items() for name in names}
 
 
 def _home(name: str) -> Any:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import ctypes
 import os
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, Callable, Mapping, NamedTuple
+from typing import TYPE_CHECKING, Any, Callable, Mapping, NamedTuple, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,6 +18,7 @@ from ._kernel import (Kernel, NotFiniteError, Results, SingularError, TorsorErro
                       thread_count, view_of)
 from ._models import Model, Models, opened_again
 from ._motion import MOTION_STATUSES, Motion
+from ._task_inertia import TaskInertia, task_inertia
 
 
 class State(NamedTuple):
@@ -391,6 +392,31 @@ class Mechanism(Displayed):
         given: dict[str, Any] = {"accelerations": accelerations, "multipliers": multipliers, "inputs": inputs}
         return self.linearisation(q, v, time=at, parameters=parameters,
                                   **{k: a for k, a in given.items() if k in self.linearisation.arguments and a is not None})
+
+    def task_inertia(self, point: str, q: ArrayLike, *, rows: str | Sequence[int] = "all", axes: ArrayLike | None = None,
+                     pseudo_inverse: bool = False, length: float = 1.0, tolerance: float | None = None,
+                     **options: Any) -> TaskInertia:
+        """The inertia in operational space of a task at a named point: force F along its rows changes its velocities by
+        dv/dt = inertia^-1 F. Of the kernel `operational_inertia`, whose options follow (`v`, `time`, `parameters`, `threads`).
+
+        rows: "all", "translation", "rotation", or numbers from 0 (x), 1, 2, 3 (about x), 4, 5. Other rows are free.
+        axes: (..., 3, 3), the axes of rows in the ground's, in columns: those of the ground, or `frames(q, v).POINT_rotation`.
+        length: usual length of the mechanism [m], `tolerance` of eigenvalues: what is rounding; see docs/kernels.md.
+
+        Where the arm cannot move the task in some direction, one state raises SingularError; of many, `ok` is False there and
+        the inertia NaN. With `pseudo_inverse` it is the pseudo-inverse instead, which asks for no force there."""
+        every = self.operational_inertia(q, **options)
+        name = point + "_inverse_inertia"
+        if name not in every._fields:
+            points = ", ".join(field.removesuffix("_inverse_inertia") for field in every._fields)
+            raise KeyError(f"{self.name} has no named point {point!r}; there are {points}")
+        task = task_inertia(getattr(every, name), rows, axes, length, tolerance)
+        if task.ok.all() or pseudo_inverse:
+            return task
+        if task.ok.ndim == 0:
+            raise SingularError(f"{self.name}: {point} moves in {int(task.rank)} independent ways, and the task has "
+                                f"{task.inertia.shape[-1]} rows: take fewer, or pseudo_inverse=True")
+        return task._replace(inertia=np.where(task.ok[..., None, None], task.inertia, np.nan))
 
     def modes(self, q: ArrayLike | None = None, v: ArrayLike | None = None, **options: Any) -> Modes:
         """Eigenvalues of the state matrix A of `linearise` at one state, slowest first. v is zero when absent."""

@@ -32,6 +32,7 @@ long eigen_complaints = 0;
 #include "torsor/runtime/integration/variational_integrator.hpp"
 #include "torsor/runtime/mechanism.hpp"
 #include "torsor/runtime/numerics/linear_solve.hpp"
+#include "torsor/runtime/numerics/operational_inertia.hpp"
 #include "torsor/runtime/records/reference.hpp"
 #include "torsor/runtime/records/trajectory.hpp"
 #include "tests/runtime/mechanisms.hpp"
@@ -215,6 +216,16 @@ TEST(Allocations, AreNoneInTheLinearSolves) {
                 EXPECT_EQ(solve_dynamics(mass, r, a), Evaluation::ok);
                 EXPECT_EQ(solve_constrained_dynamics(equations, a, lambda), Evaluation::ok);
               }
+            }),
+            0);
+}
+
+TEST(Allocations, AreNoneInOperationalInertias) {
+  std::array<double, 36> inverse{};
+  for (std::size_t i = 0; i < 36; ++i) inverse[i] = i % 7 == 0 ? 2.0 : 0.25;
+  EXPECT_EQ(allocations_during([&] {
+              EXPECT_EQ(operational_inertia(inverse).evaluation, Evaluation::ok);
+              EXPECT_EQ(operational_inertia(inverse, translation_rows).evaluation, Evaluation::ok);
             }),
             0);
 }

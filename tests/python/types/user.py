@@ -16,6 +16,8 @@ motion = arm.simulate(np.linspace(0.0, 1.0, 11), q, q)
 angles: np.ndarray = motion.q  # type: ignore[type-arg]
 arm.inverse_dynamics(q, q, q, threads="two")  # type: ignore[arg-type]
 arm.simulate(1.0, method=3)  # type: ignore[arg-type]
+felt: torsor.TaskInertia = arm.task_inertia("hand", q, rows="translation", pseudo_inverse=True)
+arm.task_inertia(3, q)  # type: ignore[arg-type]
 torsor.load(7)  # type: ignore[arg-type]
 
 pendulum = ts.Scene("pendulum")
