@@ -3,8 +3,8 @@
 # same_bits.sh HOST-COMPILER HEADER FOLDER TARGET...: every kernel of a generated header gives the bits of this machine on
 # each target, where no product is fused with a sum:
 #   cortex-m4   in float, in which nothing calls for a double, and cortex-m7 in double with TORSOR_SMALL, under QEMU
-#   aarch64, riscv64   in float and in double, under qemu-user
-#   windows   in float and in double, compiled by MinGW, under Wine; without Wine, compiled in float only
+#   aarch64, riscv64   in float and in double, numbers and packs of runtime/batch, under qemu-user
+#   windows   the same, compiled by MinGW, under Wine; without Wine, numbers compiled in float only
 # Targets whose tools are not installed are left out with a note. Ends with 77 (skipped) where all are.
 set -euo pipefail
 host="$1" header="$2" folder="$3"
@@ -35,12 +35,14 @@ expected() {
     mv "$folder/$1.new" "$folder/$1.txt"
   }
 }
-# compare TARGET REAL
+# compare TARGET REAL [WHAT]: packs print a state of each lane in turn, and the others kernel by kernel
 compare() {
   expected "$2"
-  diff "$folder/$2.txt" "$folder/$1.txt" || { echo "$header: other bits on $1 in $2"; exit 1; }
-  echo "$mechanism: $(wc -l < "$folder/$2.txt") results have the same bits on $1 in $2"
+  diff <(sort "$folder/$2.txt") <(sort "$folder/$1.txt") || { echo "$header: other bits on $1 in $2${3:+ in $3}"; exit 1; }
+  echo "$mechanism: $(wc -l < "$folder/$2.txt") results have the same bits on $1 in $2${3:+ in $3}"
 }
+# packs REAL: as many lanes as a register of 16 bytes holds, which these targets have
+packs() { echo "-std=c++20 -I$repository/include -DLANES=$([ "$1" = float ] && echo 4 || echo 2)"; }
 # board CORE FPU MACHINE REAL OPTION...
 board() {
   local core=(-mcpu="$1" -mfpu="$2" -mthumb -mfloat-abi=hard "${@:5}")
@@ -70,20 +72,26 @@ for target in "$@"; do
     aarch64 | riscv64)
       there "$target-linux-gnu-g++" "qemu-$target" || continue
       for real in float double; do
-        "$target-linux-gnu-g++" "${flags[@]}" -static -DREAL=$real "$here/kernels.cpp" -o "$folder/$target"
-        "qemu-$target" "$folder/$target" > "$folder/$target.txt"
-        compare "$target" $real
+        for lanes in "" "$(packs $real)"; do
+          # shellcheck disable=SC2086
+          "$target-linux-gnu-g++" "${flags[@]}" $lanes -static -DREAL=$real "$here/kernels.cpp" -o "$folder/$target"
+          "qemu-$target" "$folder/$target" > "$folder/$target.txt"
+          compare "$target" $real "${lanes:+packs of ${lanes##*=}}"
+        done
       done ;;
     windows)
       there x86_64-w64-mingw32-g++ || continue
       for real in float double; do
-        x86_64-w64-mingw32-g++ "${flags[@]}" -static -DREAL=$real "$here/kernels.cpp" -o "$folder/windows.exe"
-        command -v wine > /dev/null || { echo "wine is not installed: $mechanism is compiled only"; continue 2; }
-        export WINEPREFIX="$(dirname "$folder")/wine" WINEDEBUG=-all
-        # One at a time makes Wine's folder; its server, which stays, must not keep the lock.
-        flock -o "$WINEPREFIX.lock" wineboot -i > /dev/null 2>&1
-        timeout 120 wine "$folder/windows.exe" | tr -d '\r' > "$folder/windows.txt"
-        compare windows $real
+        for lanes in "" "$(packs $real)"; do
+          # shellcheck disable=SC2086
+          x86_64-w64-mingw32-g++ "${flags[@]}" $lanes -static -DREAL=$real "$here/kernels.cpp" -o "$folder/windows.exe"
+          command -v wine > /dev/null || { echo "wine is not installed: $mechanism is compiled only"; continue 3; }
+          export WINEPREFIX="$(dirname "$folder")/wine" WINEDEBUG=-all
+          # One at a time makes Wine's folder; its server, which stays, must not keep the lock.
+          flock -o "$WINEPREFIX.lock" wineboot -i > /dev/null 2>&1
+          timeout 120 wine "$folder/windows.exe" | tr -d '\r' > "$folder/windows.txt"
+          compare windows $real "${lanes:+packs of ${lanes##*=}}"
+        done
       done ;;
     *) echo "same_bits.sh: no target is $target; the targets are cortex-m4, cortex-m7, aarch64, riscv64 and windows"; exit 2 ;;
   esac
