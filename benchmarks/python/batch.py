@@ -16,6 +16,7 @@ import time
 import numpy as np
 
 import torsor
+from torsor._load import tool
 
 SOURCE = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
 ROBOT = os.path.join(SOURCE, "tests/reference/urdf/panda.urdf")
@@ -63,7 +64,7 @@ def main():
     out, expected = np.empty((n, 7)), np.empty((n, 7))
     good = True
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([torsor._load.tool(), "generate", ROBOT, "--name", "panda", "--kernels", "inverse_dynamics", "--quiet", "-o",
+        subprocess.run([tool(), "generate", ROBOT, "--name", "panda", "--kernels", "inverse_dynamics", "--quiet", "-o",
                         os.path.join(folder, "panda.hpp")], check=True)
         for contract in ("off", "fast"):
             cpp = batch_of_cpp(folder, contract)
