@@ -25,6 +25,7 @@
 #include "torsor/runtime/integration/runge_kutta_4.hpp"
 #include "torsor/runtime/integration/taylor.hpp"
 #include "torsor/runtime/mechanism.hpp"
+#include "torsor/runtime/numerics/operational_inertia.hpp"
 #include "torsor/runtime/small_motions/equilibrium_stability.hpp"
 #include "torsor/runtime/small_motions/forced_response.hpp"
 #include "torsor/runtime/small_motions/fourier_series.hpp"
@@ -102,9 +103,25 @@ void run() {
 namespace sparse_rows {
 using Mechanism = rolling_hoop::Mechanism<double>;
 void run(const Mechanism::Precomputed& precomputed, const Mechanism::State& state) {
-  // snippet: docs/kernels.md 1
+  // snippet: docs/kernels.md 2
 }
 }  // namespace sparse_rows
+
+namespace tasks {
+struct Arm {  // no committed header has this kernel
+  struct State {};
+  struct OperationalInertia {
+    std::array<double, 36> hand_inverse_inertia;
+  };
+  static torsor::Status operational_inertia(const State&, const State&, OperationalInertia&);
+};
+double run(const Arm::State& precomputed, const Arm::State& state, double acceleration_x) {
+  Arm::OperationalInertia result;
+  double force_x = 0;
+  // snippet: docs/kernels.md 1
+  return force_x;
+}
+}  // namespace tasks
 
 namespace descriptions {
 void run() {
