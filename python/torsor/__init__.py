@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 __all__ = ["Bound", "Contact", "ContactEvent", "Equilibrium", "Kernel", "LoadError", "Mechanism", "Modes", "Motion",
-           "NotFiniteError", "Results", "SingularError", "State", "TaskInertia", "TorsorError", "load",
-           "open"]
+           "NotFiniteError", "Results", "SingularError", "State", "TaskInertia", "TorsorError",
+           "load", "open"]
 
 _HOMES = {name: home for home, names in {
     "_contacts": ("Contact", "ContactEvent"),

@@ -17,9 +17,11 @@ function written(unit) {
 }
 
 /// A canvas with a mark over it, which follows the animation. Curves are drawn when they change: without a graphics card
-/// that takes a browser ten times the time of a frame.
+/// that takes a browser most of a frame. `sources` give numbers of sample k.
 class Chart {
-  constructor(parent, title, words) {
+  constructor(parent, title, words, sources) {
+    this.sources = sources;
+    this.clear();
     this.canvas = document.createElement("canvas");
     this.canvas.className = "plot";
     this.canvas.setAttribute("role", "img");
@@ -32,6 +34,18 @@ class Chart {
     plane.append(this.canvas, this.mark);
     this.figure.append(caption, plane);
     parent.append(this.figure);
+  }
+
+  clear() {
+    this.data = this.sources.map(() => []);
+    this.picture = "";
+  }
+
+  /// Reads samples that came since.
+  read(count) {
+    this.sources.forEach((source, i) => {
+      for (let k = this.data[i].length; k < count; ++k) this.data[i].push(source(k));
+    });
   }
 
   /// An empty canvas where this picture, which `content` tells from others, is not there yet; `draw` gets its context, its size
@@ -58,8 +72,9 @@ class Plot extends Chart {
   /// `curves`: [{name, unit, value(k)}]; `words` says for those who do not see it what it shows.
   constructor(parent, title, unit, curves, onTime) {
     const shown = unit ? `${title} [${written(unit)}]` : title;
-    super(parent, shown, `${shown}« over time: »${curves.map((curve) => curve.name).join(", ")}`);
-    Object.assign(this, { unit, curves, title, data: curves.map(() => []) });
+    super(parent, shown, `${shown}« over time: »${curves.map((curve) => curve.name).join(", ")}`,
+          curves.map((curve) => curve.value));
+    Object.assign(this, { unit, curves, title });
     this.mark.className = "instant";
     this.legend = document.createElement("ul");
     this.legend.className = "legend";
@@ -82,22 +97,10 @@ class Plot extends Chart {
     this.canvas.addEventListener("pointermove", at);
   }
 
-  clear() {
-    this.data = this.curves.map(() => []);
-    this.picture = "";
-  }
-
-  /// Reads samples that came since.
-  read(count) {
-    this.curves.forEach((curve, i) => {
-      for (let k = this.data[i].length; k < count; ++k) this.data[i].push(curve.value(k));
-    });
-  }
-
   /// `events`: [{time}], marked on the axis of time.
   draw(interval, end, now, events = []) {
     this.end = end;
-    this.drawOnce([this.data[0].length, end, events.length], (context, box, colour) => {
+    this.drawOnce([this.data[0].length, end, events.length, this.withDots], (context, box, colour) => {
       this.drawCurves(context, box, colour, interval, events);
     });
     if (this.sides) this.moveMark(this.sides[0] + (this.sides[1] - this.sides[0]) * now / end, 0);
@@ -177,19 +180,10 @@ class Plot extends Chart {
 /// A phase portrait: one quantity over another, with a dot where the motion is.
 class Portrait extends Chart {
   constructor(parent, title, acrossName, upName, { x, y }) {
-    super(parent, title, `«Phase portrait, »${title}`);
-    Object.assign(this, { title, acrossName, upName, sources: [x, y], data: [[], []] });
+    super(parent, title, `«Phase portrait, »${title}`, [x, y]);
+    Object.assign(this, { title, acrossName, upName });
     this.mark.className = "place";
-  }
-
-  clear() {
-    this.data = [[], []];
-    this.picture = "";
-  }
-  read(count) {
-    this.sources.forEach((source, i) => {
-      for (let k = this.data[i].length; k < count; ++k) this.data[i].push(source(k));
-    });
+    this.mark.style.background = colours[1];
   }
 
   draw(interval, end, now) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // frames.mjs BROWSER PROGRAM...: frames a second of the reports of scene programs (or of "torsor FILE") while they move, after
-// they have been integrated, and the processor time of a frame. The browser draws as it does on a machine
-// without a graphics card.
+// they have been integrated, and the processor time of a frame. The browser draws as it does without a
+// graphics card.
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
