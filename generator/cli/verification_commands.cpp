@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -140,6 +141,9 @@ void check_times(const std::vector<std::string>& times) {
       time = parse_decimal(text);
     } catch (const Error& error) {
       throw UsageError(fmt::format("--times: {}", error.what()));
+    }
+    if (std::isinf(time.to_double())) {
+      throw UsageError(fmt::format("--times: '{}' is beyond what a double holds, and no motion gets there", text));
     }
     if (!(before < time)) {
       throw UsageError(fmt::format("--times: '{}' does not come after what is before it: times are positive and increase", text));

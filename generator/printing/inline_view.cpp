@@ -43,8 +43,16 @@ GiNaC::ex slope_of_choice(const GiNaC::ex& condition, const GiNaC::ex&, const Gi
   return one_of(condition, by == 1 ? 1 : 0, by == 1 ? 0 : 1);
 }
 
-REGISTER_FUNCTION(absolute, derivative_func(slope_of_absolute))
-REGISTER_FUNCTION(sign_of, derivative_func(slope_of_sign))
+// Of numbers, which arise where a state is put in.
+GiNaC::ex known_absolute(const GiNaC::ex& x) {
+  return GiNaC::is_a<GiNaC::numeric>(x) ? GiNaC::ex(GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(x))) : absolute(x).hold();
+}
+GiNaC::ex known_sign(const GiNaC::ex& x) {
+  return GiNaC::is_a<GiNaC::numeric>(x) ? GiNaC::ex(GiNaC::ex_to<GiNaC::numeric>(x).csgn()) : sign_of(x).hold();
+}
+
+REGISTER_FUNCTION(absolute, eval_func(known_absolute).derivative_func(slope_of_absolute))
+REGISTER_FUNCTION(sign_of, eval_func(known_sign).derivative_func(slope_of_sign))
 REGISTER_FUNCTION(larger_of, derivative_func(slope_of_larger))
 REGISTER_FUNCTION(angle_of, derivative_func(slope_of_angle))
 REGISTER_FUNCTION(one_of, derivative_func(slope_of_choice))

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "torsor/generator/program/formula.hpp"
+#include "torsor/generator/program/paired_signs.hpp"
 
 namespace torsor {
 namespace {
@@ -66,7 +67,7 @@ std::optional<Polynomial> Flattening::product(const Polynomial& a, const Polynom
   Polynomial result;
   for (const Term& left : a.terms()) {
     for (const Term& right : b.terms()) {
-      result.add({left.monomial * right.monomial, left.coefficient * right.coefficient});
+      result.add(torsor::product(*program_, left, right));
     }
     if (result.terms().size() > limit_) return std::nullopt;
   }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "torsor/generator/base/error.hpp"
+#include "torsor/generator/program/paired_signs.hpp"
 #include "torsor/generator/program/program.hpp"
 
 namespace torsor {
@@ -68,9 +69,9 @@ Value operator*(const Value& a, const Value& b) {
     scaled *= a.is_constant() ? a.polynomial_.constant() : b.polynomial_.constant();
     return {program, std::move(scaled), unit};
   }
-  const Term left = as_term(a);
+  const Term left = as_term(a);  // named, so that every compiler binds sums in the same order
   const Term right = as_term(b);
-  return {program, Polynomial(Term{left.monomial * right.monomial, left.coefficient * right.coefficient}), unit};
+  return {program, Polynomial(product(program, left, right)), unit};
 }
 
 Value pow(const Value& base, int exponent) {
@@ -80,8 +81,7 @@ Value pow(const Value& base, int exponent) {
     if (exponent < 0) throw Error("division by zero: a denominator vanishes identically");
     return base;
   }
-  const Term term = as_term(base);
-  return {*base.program(), Polynomial(Term{pow(term.monomial, exponent), term.coefficient.pow(exponent)}), unit};
+  return {*base.program(), Polynomial(power(*base.program(), as_term(base), exponent)), unit};
 }
 
 std::string label(const Program& program, ValueNumber value_number) {

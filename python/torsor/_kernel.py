@@ -14,7 +14,6 @@ from numpy.typing import ArrayLike
 from . import _abi
 from ._models import kernel_again
 
-STATUSES = ("ok", "singular", "not finite", "argument not finite")
 _ARGUMENTS = ("q", "v", "accelerations", "multipliers", "inputs")
 
 
@@ -346,9 +345,8 @@ class Kernel:
                 require_finite({**arrays, "time": times})
             if not batch:
                 error = {1: SingularError, 2: NotFiniteError}[call.worst]
-                raise error(f"{self.name}: the state is {STATUSES[call.worst]}: "
-                            + ("the mass matrix or the constraints lose rank" if call.worst == 1
-                               else "a result is not a finite number"))
+                raise error(f"{self.name}: " + ("the state is singular: the mass matrix or the constraints lose rank"
+                                                if call.worst == 1 else "a result is not a finite number"))
             bad = statuses != 0
             for each in outputs:
                 each[bad] = np.nan

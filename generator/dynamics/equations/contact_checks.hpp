@@ -14,7 +14,7 @@ void check_surfaces(const SceneContent& scene);
 /// Throws SceneError.
 void check_contacts(const Equations& equations);
 
-/// Throws SceneError for a scene with contacts, whose motions `user` ("a report") would let pass through each other.
+/// Throws SceneError for a scene with contacts or dry friction, which motions of `user` ("a reference") do not have.
 void refuse_contacts(const Scene& scene, const std::string& user);
 
 }  // namespace torsor

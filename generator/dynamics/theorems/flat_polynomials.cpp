@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "torsor/generator/base/error.hpp"
+#include "torsor/generator/program/paired_signs.hpp"
 
 namespace torsor {
 namespace {
@@ -21,8 +22,7 @@ class Multiplication {
   Polynomial product(const Polynomial& a, const Polynomial& b) const {
     Polynomial result;
     for (const Term& left : a.terms()) {
-      for (const Term& right : b.terms())
-        result.add({left.monomial * right.monomial, left.coefficient * right.coefficient});
+      for (const Term& right : b.terms()) result.add(torsor::product(program_, left, right));
       if (result.terms().size() > limit_) {
         throw UsageError(
             fmt::format("a formula has more than {} terms when it is multiplied out: give the parameters that need no "
