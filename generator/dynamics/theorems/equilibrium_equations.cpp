@@ -128,6 +128,7 @@ EquilibriumEquations equilibrium_equations(const Equations& equations, const Nat
   all.push_back(of_rates);
   result.depends_on_time = depend_on_time(model, all);
   std::vector<Value> differences = forces;
+  result.mass = equations.mass();
   result.hessian.assign(n, {});
   for (std::size_t j = 0; j < n; ++j) {
     Derivation along = model.along(static_cast<int>(j));

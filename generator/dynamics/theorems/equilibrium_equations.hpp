@@ -28,6 +28,7 @@ struct EquilibriumEquations {
   bool depends_on_time = false;
   std::vector<std::string> remarks;  ///< why they are not, or what Lejeune-Dirichlet presupposes
   ValueMatrix hessian;               ///< ∂row_i/∂q_j at fixed multipliers and inputs
+  ValueMatrix mass;                  ///< M, which Lejeune-Dirichlet supposes positive definite
 };
 
 /// Whether one of the values depends on time explicitly: it is t itself that stands in it, or a law of time.

@@ -22,6 +22,37 @@ std::vector<Value> sylvester_conditions(Program& program, const ValueMatrix& mat
   return conditions;
 }
 
+namespace {
+
+/// What cancels is 0 and not a rounding of either sign.
+RealRows numbers_of(const ValueMatrix& matrix, Evaluator<Sized>& sized) {
+  RealRows rows;
+  for (const std::vector<Value>& row : matrix) {
+    rows.emplace_back();
+    for (const Sized& entry : sized(row)) rows.back().push_back(entry.cancels() ? Real(0) : entry.value);
+  }
+  return rows;
+}
+
+SymmetricPivots pivots_of(const RealRows& matrix) {
+  return SymmetricPivots(matrix, Real(matrix.size()) * Real(1).epsilon());
+}
+
+/// "q1, q2": the coordinates of the first motion of a singular M that has no kinetic energy.
+std::string without_kinetic_energy(const SymmetricPivots& mass, const std::vector<SymbolPointer>& rates) {
+  const RealRow others = mass.dependence();
+  std::string names;
+  for (std::size_t i = 0; i <= mass.first_small(); ++i) {
+    if (i < mass.first_small() && is_negligible(others[i])) continue;
+    std::string name = rates[i]->name;
+    while (!name.empty() && name.back() == '\'') name.pop_back();
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  return names;
+}
+
+}  // namespace
+
 LejeuneDirichlet lejeune_dirichlet(const Equations& equations, const EquilibriumEquations& statics,
                                    const Evaluator<Real>::SymbolValue& state, const NaturalLanguage& say) {
   if (!equations.constraints().empty()) {
@@ -41,19 +72,25 @@ LejeuneDirichlet lejeune_dirichlet(const Equations& equations, const Equilibrium
     report.reason = say("cannot conclude: T or U depends on time explicitly, and the energy is no integral");
     return report;
   }
-  // What cancels is 0 and not a rounding of either sign.
   Evaluator<Sized> sized(equations.program(), [&](const SymbolPointer& symbol) { return Sized(state(symbol)); });
-  RealRows hessian;
-  for (const std::vector<Value>& row : statics.hessian) {
-    hessian.emplace_back();
-    for (const Sized& entry : sized(row)) hessian.back().push_back(entry.cancels() ? Real(0) : entry.value);
-  }
-  const SymmetricPivots pivots(hessian, Real(hessian.size()) * Real(1).epsilon());
+  const SymmetricPivots pivots = pivots_of(numbers_of(statics.hessian, sized));
   for (std::size_t k = 0; k < pivots.size(); ++k) {
     report.pivots.push_back(pivots[k]);
     if (pivots[k] > Real(0) && !pivots.is_small(k)) continue;
     report.reason = say("cannot conclude: pivot {} of the Hessian of -(U + T0) is {}{}", k + 1, pivots[k].to_string(6),
                         pivots.is_small(k) ? say(", zero within rounding") : say(", not a minimum"));
+    return report;
+  }
+  const SymmetricPivots mass = pivots_of(numbers_of(statics.mass, sized));
+  for (std::size_t k = 0; k < mass.size(); ++k) {
+    if (mass.is_small(k) || mass[k] > Real(0)) continue;
+    report.reason = say("cannot conclude: pivot {} of M is {}, and T can be negative", k + 1, mass[k].to_string(6));
+    return report;
+  }
+  if (mass.first_small() < mass.size()) {
+    report.reason = say(
+        "-(U + T0) has a strict minimum, and positions stay near it; cannot conclude on rates: M is singular in {}",
+        without_kinetic_energy(mass, statics.freedoms));
     return report;
   }
   report.stable = true;

@@ -23,9 +23,11 @@ struct LejeuneDirichlet {
 };
 
 /// Stable where −(U + T0) has a strict minimum, also with dissipative and gyroscopic forces (Pommier, §7.4.2);
-/// otherwise, and where T or U depends on time explicitly, nothing is concluded. At the working precision; `state` gives
-/// every symbol its value (coordinates, parameters that are symbols, time, inputs). A pivot below n roundings of its diagonal entry counts as zero. Throws
-/// UsageError for a scene with constraints: reduce it to independent coordinates, or use the runtime's search.
+/// otherwise, and where T or U depends on time explicitly, nothing is concluded. Where M is singular the energy keeps
+/// coordinates near the rest, but no rate along what M does not see: such a rest is not called stable. At the working
+/// precision; `state` gives every symbol its value (coordinates, parameters that are symbols, time, inputs). A pivot
+/// below n roundings of its diagonal entry counts as zero. Throws UsageError for a scene with constraints: reduce it to
+/// independent coordinates, or use the runtime's search.
 LejeuneDirichlet lejeune_dirichlet(const Equations& equations, const EquilibriumEquations& statics,
                                    const Evaluator<Real>::SymbolValue& state, const NaturalLanguage& say = {});
 
