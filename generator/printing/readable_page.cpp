@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "torsor/generator/dynamics/theorems/flat_polynomials.hpp"
+#include "torsor/generator/printing/notation.hpp"
+
 namespace torsor::printing {
 
 void ReadablePage::section(const std::string& heading) {
@@ -32,6 +35,14 @@ void ReadablePage::equation(const std::string& label, const Value& left, const V
 void ReadablePage::stated(const Spelling& left, const Value& value, const std::string& remark) {
   gather(value);
   lines_.emplace_back([=, this](Page& page) { page.stated(left, written(value), remark); });
+}
+
+void ReadablePage::positive(const Value& value) {
+  lines_.emplace_back([=, this](Page& page) {
+    if (!view_.sum(value)) return page.note("  " + readable(value) + " > 0");
+    const Written condition = written(value);
+    page.formula("  " + text(condition) + " > 0", "$" + latex(condition) + " > 0$");
+  });
 }
 
 void ReadablePage::matrix(const Spelling& name, const std::string& entry, const ValueMatrix& matrix) {

@@ -28,6 +28,8 @@ class ReadablePage {
   void equation(const std::string& label, const Value& left, const Value& right, const std::string& remark = {});
   /// The same with a name that is no symbol.
   void stated(const Spelling& left, const Value& value, const std::string& remark = {});
+  /// value > 0
+  void positive(const Value& value);
   void matrix(const Spelling& name, const std::string& entry, const ValueMatrix& matrix);
   void matrix(const std::string& name, const ValueMatrix& entries) { matrix(bold(name), name, entries); }
 

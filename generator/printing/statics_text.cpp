@@ -149,7 +149,8 @@ class StaticsWriter {
     for (const Value& condition : conditions) left_over("", condition);
     if (!balanced) return;
     const bool instant = std::any_of(about_.begin(), about_.end(), [](const auto& named) { return named.first == "t"; });
-    page_.note(instant && time_stands()
+    rest_is_proved_ = !(instant && time_stands());
+    page_.note(!rest_is_proved_
                    ? say("Every equation of equilibrium holds at this instant.")
                    : say("Every equation of equilibrium holds: a rest, whatever the parameters."));
   }
@@ -171,6 +172,7 @@ class StaticsWriter {
     EquilibriumEquations there = statics_;
     there.rows = at(statics_.rows);
     there.hessian = hessian;
+    there.mass = at(statics_.mass);
     const LejeuneDirichlet verdict = lejeune_dirichlet(equations_, there, *values, say);
     const bool rest =
         std::all_of(verdict.residual.begin(), verdict.residual.end(), [](const Real& r) { return is_negligible(r); });
@@ -237,9 +239,14 @@ class StaticsWriter {
     }
     const bool marginal = std::find(signs->begin(), signs->end(), 0) != signs->end();
     const bool stable = std::all_of(signs->begin(), signs->end(), [](int sign) { return sign > 0; });
-    page_.note(marginal ? say("With the scene's values: cannot conclude, a condition is an equality, if this is a rest.")
-               : stable ? say("With the scene's values: asymptotically stable, if this is a rest.")
-                        : say("With the scene's values: unstable, a root has Re s > 0, if this is a rest."));
+    conclude(marginal ? say("cannot conclude, a condition is an equality")
+             : stable ? say("asymptotically stable")
+                      : say("unstable, a root has Re s > 0"));
+  }
+
+  void conclude(const std::string& verdict) {
+    page_.note(rest_is_proved_ ? say("With the scene's values: {}.", verdict)
+                               : say("With the scene's values: {}, if this is a rest.", verdict));
   }
 
   /// Whether the scene's values tell that some force is left over at the state.
@@ -256,7 +263,7 @@ class StaticsWriter {
   void report_negative_coefficient(const std::vector<Value>& polynomial) {
     const auto signs = signs_at_scene_values(polynomial);
     const bool negative = signs && std::find(signs->begin(), signs->end(), -1) != signs->end();
-    if (negative) page_.note(say("With the scene's values: unstable, for a coefficient is negative, if this is a rest."));
+    if (negative) conclude(say("unstable, for a coefficient is negative"));
   }
 
   /// "12 k m > 0" a line, or that they hold.
@@ -266,16 +273,14 @@ class StaticsWriter {
       page_.note(say("Cannot conclude: a condition reads 0 > 0 whatever the parameters."));
       return;
     }
-    const std::string text = readable_conditions(conditions);
-    if (text.empty()) {
+    const auto holds_always = [](const Value& c) { return c.is_constant() && c.polynomial().constant().sign() > 0; };
+    if (std::all_of(conditions.begin(), conditions.end(), holds_always)) {
       page_.note(say("Whatever the parameters, {}.", holds));
       return;
     }
     page_.note(heading);
-    for (std::size_t begin = 0; begin < text.size();) {
-      const std::size_t end = text.find('\n', begin);
-      page_.note("  " + text.substr(begin, end - begin));
-      begin = end + 1;
+    for (const Value& condition : conditions) {
+      if (!holds_always(condition)) page_.positive(condition);
     }
   }
 
@@ -322,6 +327,7 @@ class StaticsWriter {
   printing::ReadablePage page_;
   const About& about_;
   PageStyle style_;
+  bool rest_is_proved_ = false;  ///< whatever the parameters
   const NaturalLanguage& say;
 };
 

@@ -76,6 +76,45 @@ TEST(StaticsState, TellsACoefficientThatCancelsFromARounding) {
   }
 }
 
+/// A double pendulum whose first link has no mass, straight down: M = m l² [4 2; 2 1] there.
+Scene massless_link() {
+  Scene scene("massless_link");
+  const Expression a = scene.coordinate("a", "rad"), b = scene.coordinate("b", "rad");
+  const FrameHandle first = scene.revolute("first", scene.ground(), axis::y, a);
+  const FrameHandle second = scene.revolute("second", first, axis::y, b, {.origin = {0, 0, metres("-1")}});
+  scene.body("bob", second, Inertia::point(kilograms("1")).at({0, 0, metres("-1")}));
+  scene.gravity({0, 0, quantity("-10", "m/s^2")});
+  return scene;
+}
+
+// Lejeune-Dirichlet bounds rates by T, and T is zero for b' = -2 a' where M is singular.
+TEST(StaticsState, CallsNoRestStableWhereTheMassMatrixIsSingular) {
+  const std::string text = statics(massless_link, {"--about", "a=0", "--about", "b=0"});
+  EXPECT_TRUE(says(text, "With the scene's values: -(U + T0) has a strict minimum, and positions stay near it; cannot conclude "
+                         "on rates: M is singular in a, b."))
+      << text;
+  EXPECT_FALSE(says(text, "stable: ")) << text;
+}
+
+/// A point on a circle around which another one draws: its distance at rest is a root of a square.
+Scene attracted() {
+  Scene scene("attracted");
+  const Expression R = scene.parameter("R", "m", 3), l = scene.parameter("l", "m", 1), k = scene.parameter("k", "N m^2", 2);
+  const Expression a = scene.coordinate("a", "rad");
+  const FrameHandle arm = scene.revolute("arm", scene.ground(), axis::y, a);
+  scene.body("bob", arm, Inertia::point(kilograms("1")).at({0, 0, l}));
+  scene.gravitation("pull", scene.point("P", arm, {0, 0, l}), scene.point("Q", scene.ground(), {0, 0, R}), k);
+  return scene;
+}
+
+// As in H, a root of a square is a size.
+TEST(StaticsState, WritesRootsOfSquaresInConditionsAsInEntries) {
+  const std::string text = statics(attracted, {"--about", "a=0"});
+  EXPECT_TRUE(says(text, "H = [ R l k/|R - l|^3 ]")) << text;
+  EXPECT_TRUE(says(text, "\n    R l k/|R - l|^3 > 0\n")) << text;
+  EXPECT_FALSE(says(text, "sqrt((")) << text;
+}
+
 /// A spring whose stiffness shakes with w, and a push along x of F (1 + x/m).
 Scene shaken() {
   Scene scene("shaken");
