@@ -8,6 +8,7 @@
 
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/printing/cancelled_fractions.hpp"
+#include "torsor/generator/printing/knots.hpp"
 #include "torsor/generator/printing/trigonometry.hpp"
 #include "torsor/generator/printing/unit_quaternions.hpp"
 #include "torsor/generator/program/identically_zero.hpp"
@@ -352,9 +353,11 @@ Sum InlineView::canonical_call(const GiNaC::ex& e) {
 }
 
 Sum InlineView::shortened(const GiNaC::ex& expression) {
-  const Sum sum = with_squares_beside_roots(with_unit_quaternions(canonical(expression)));
+  Knots knots;
+  const Sum sum = with_squares_beside_roots(with_unit_quaternions(knots.named(canonical(expression))));
   const Sum simple = simplified(sum), shorter = cancelled(simple);
-  return driven_.named(with_squares_in_roots(compare(simple, shorter) == 0 ? simple : simplified(shorter)));
+  Sum result = driven_.named(with_squares_in_roots(compare(simple, shorter) == 0 ? simple : simplified(shorter)));
+  return knots.put_back(knots.named(std::move(result)));
 }
 
 Sum InlineView::sum(const GiNaC::ex& expression) { return shortened(expression.expand()); }

@@ -46,6 +46,38 @@ TEST(SelectionsText, IsSetByCasesInLatex) {
   expect_part(text, "\\operatorname{atan2}\\left(y - 2 d, x\\right)");
 }
 
+/// A spline of a position far from its origin, one of a difference, and one of a speed.
+Scene splines() {
+  Scene scene("splines");
+  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m");
+  const FrameHandle along = scene.prismatic("along", scene.ground(), axis::x, x);
+  scene.body("mass", scene.prismatic("mass", along, axis::y, y), Inertia::point(scene.parameter("m", "kg", 2)));
+  scene.generalised_force("track", x, spline(x, {{100000, 0}, {100001, 1}, {100002, 0}}, "N"));
+  scene.generalised_force("gap", y, spline(2 * y - x, {{0, 0}, {1, 1}, {2, 0}}, "N"));
+  scene.generalised_force("damper", y, spline(rate(y), {{0, 0}, {1, 1}, {2, 0}}, "N"));
+  return scene;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+// Multiplied out, each selection of coefficients would stand four times, and 10^15 would cancel.
+TEST(SelectionsText, KeepsTheDistanceFromTheKnotOfASpline) {
+  const std::string text = print_equations(splines(), Format::text, {});
+  const std::size_t begin = text.find("Lagrange's equations");
+  const std::string equations = text.substr(begin, text.find("Painleve") - begin);
+  EXPECT_EQ(count(equations, "])^3"), 3u) << equations;
+  EXPECT_EQ(count(equations, "])^2"), 3u) << equations;
+  EXPECT_EQ(count(equations, "^3"), 3u) << equations;
+  EXPECT_EQ(count(equations, "[3/2 if x - 100001 < 0, else -3/2 if x - 100002 >= 0, else 0] (x - [100000 if x - 100001 < 0, "), 1u)
+      << equations;
+  const std::string latex = print_equations(splines(), Format::latex, {});
+  EXPECT_EQ(count(latex, "x^{3}"), 0u) << latex;
+}
+
 /// Forces that are minima: alone, of a sum, and of a stop that only presses.
 Scene minima() {
   Scene scene("minima");
