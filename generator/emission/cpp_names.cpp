@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "torsor/generator/base/article.hpp"
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/mechanics/identifier.hpp"
 
@@ -45,8 +46,8 @@ void require_cpp_name(const std::string& name, const std::string& what) {
   }
   if (reason == nullptr) reason = reserved_in_headers(name, what == "scene");
   if (reason == nullptr) return;
-  throw SceneError(fmt::format("the name '{}' of a {} {} and cannot stand in a generated header: choose another name",
-                               name, what, reason));
+  throw SceneError(fmt::format("the name '{}' of {} {} and cannot stand in a generated header: choose another name",
+                               name, with_article(what), reason));
 }
 
 }  // namespace torsor

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "torsor/generator/base/article.hpp"
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/mechanics/library_names.hpp"
 
@@ -105,9 +106,9 @@ void require_identifier(const std::string& name, const std::string& what) {
                            std::isdigit(static_cast<unsigned char>(name[0])) == 0 && name[0] != '_' && name.back() != '_';
   if (!well_formed || contains(keywords, name) ||
       name.find("__") != std::string::npos || name == "size") {
-    throw SceneError(fmt::format("the name '{}' of a {} cannot be a name in generated code: use letters, digits and "
+    throw SceneError(fmt::format("the name '{}' of {} cannot be a name in generated code: use letters, digits and "
                                  "single underscores inside, a letter first, and no C++ keyword",
-                                 name, what));
+                                 name, with_article(what)));
   }
 }
 

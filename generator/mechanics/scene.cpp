@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "torsor/generator/base/article.hpp"
+#include "torsor/generator/base/as_index.hpp"
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/base/printable.hpp"
 #include "torsor/generator/mechanics/identifier.hpp"
@@ -46,9 +48,9 @@ Scene::Scene(std::string name, std::string title) {
 
 void Scene::claim(const std::string& name, const std::string& what) {
   if (printable(name) != name) {
-    throw SceneError(fmt::format("the name '{}' of a {} holds bytes that are no UTF-8, or characters that are not seen or "
+    throw SceneError(fmt::format("the name '{}' of {} holds bytes that are no UTF-8, or characters that are not seen or "
                                  "turn the direction of text: choose one that shows what it is",
-                                 name, what));
+                                 name, with_article(what)));
   }
   // Frames and bodies are often namesakes; all that becomes a symbol shares one space.
   const bool own_space = what == "frame" || what == "body" || what == "point" || what == "constraint" ||
@@ -56,9 +58,9 @@ void Scene::claim(const std::string& name, const std::string& what) {
   const std::string key = (own_space ? what : "symbol") + " " + name;
   const auto [place, added] = content_.names.emplace(key, what);
   if (!added) {
-    throw SceneError(fmt::format("duplicate name '{}': the scene '{}' already has a {} of that name; choose another "
+    throw SceneError(fmt::format("duplicate name '{}': the scene '{}' already has {} of that name; choose another "
                                  "name for the new {}",
-                                 name, content_.name, place->second, what));
+                                 name, content_.name, with_article(place->second), what));
   }
 }
 

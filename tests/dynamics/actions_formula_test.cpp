@@ -144,6 +144,9 @@ TEST_F(TwoPoints, RefuseFormulasThatAreNoForces) {
             "velocities has no force function; use generalised_force(...)");
   EXPECT_EQ(refusal([&](Scene& s) { s.force_function("U", Expression::quantity("1", "W") * s.time()); }),
             "force function 'U' depends on no unknown coordinate: it makes no force; drop it");
+  EXPECT_EQ(refusal([&](Scene& s) { s.force_function("U", Expression::quantity("1", "J") * sign(x1)); }),
+            "force function 'U' has the slope 0 along x1 but at its steps, where no force is finite: use a smooth function "
+            "such as tanh, or a stop");
   EXPECT_EQ(refusal([&](Scene& s) { s.generalised_force("pull", x1, metres("2")); }),
             "the generalised force 'pull' on x1 [m] is 2 [m] and must be in N");
   EXPECT_EQ(refusal([&](Scene& s) { s.gravitation("g", a, b, Expression::quantity("1", "N")); }),

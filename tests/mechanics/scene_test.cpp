@@ -56,6 +56,17 @@ TEST_F(SceneNames, AreNamesInGeneratedCode) {
   EXPECT_THROW(Scene("class"), SceneError);
 }
 
+TEST_F(SceneNames, HaveTheArticleOfWhatIsNamed) {
+  const Expression x = scene.coordinate("x", "m");
+  EXPECT_TRUE(error_of<SceneError>([&] { scene.attitude("1st"); }).starts_with("the name '1st' of an attitude cannot be"));
+  scene.parameter("p", "1", 1);
+  const std::string text = error_of<SceneError>([&] { scene.coordinate("p", "m"); });
+  EXPECT_NE(text.find("already has a parameter of that name"), std::string::npos) << text;
+  scene.motor("u", x);
+  const std::string taken = error_of<SceneError>([&] { scene.coordinate("u", "m"); });
+  EXPECT_NE(taken.find("already has an input of that name"), std::string::npos) << taken;
+}
+
 using SceneCoordinates = SceneTest;
 
 TEST_F(SceneCoordinates, BringTheirVelocityAndAccelerationAlong) {

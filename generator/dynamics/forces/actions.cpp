@@ -120,7 +120,7 @@ class Collector {
     for (const CoordinateContent& c : model_.coordinates()) velocities.push_back(c.v);
     const std::vector<Value> forces = gradient_along(u, velocities);
     if (std::all_of(forces.begin(), forces.end(), [](const Value& force) { return force.is_zero(); })) {
-      throw SceneError(fmt::format("{} depends on no unknown coordinate: it makes no force; drop it", user));
+      refuse_without_force(u, user);
     }
     for (std::size_t i = 0; i < forces.size(); ++i) result_.passive[i] += forces[i];
   }
@@ -309,6 +309,20 @@ class Collector {
     Wrench& sum = result_.wrenches[link];
     sum.resultant += wrench.resultant;
     sum.moment += wrench.moment;
+  }
+
+  /// A force function whose derivatives all vanish.
+  [[noreturn]] void refuse_without_force(const Value& u, const std::string& user) const {
+    for (const ValueNumber value_number : program_.live({u})) {
+      const SymbolPointer& symbol = program_[value_number].symbol;
+      const bool moves = symbol && std::any_of(model_.coordinates().begin(), model_.coordinates().end(),
+                                               [&](const CoordinateContent& c) { return c.q == symbol && c.unknown(); });
+      if (!moves) continue;
+      throw SceneError(fmt::format("{} has the slope 0 along {} but at its steps, where no force is finite: use a smooth "
+                                   "function such as tanh, or a stop",
+                                   user, symbol->name));
+    }
+    throw SceneError(fmt::format("{} depends on no unknown coordinate: it makes no force; drop it", user));
   }
 
   void apply(int link, const Wrench& wrench, const std::string& name) {
