@@ -7,6 +7,7 @@
 
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/listing/lowering.hpp"
+#include "torsor/generator/mechanics/parameter_value.hpp"
 
 namespace torsor {
 namespace {
@@ -37,6 +38,8 @@ Listing default_parameters(const Scene& scene, const std::vector<SymbolPointer>&
   std::vector<Target> missing;
   for (const SymbolPointer& symbol : parameters) {
     const Value value = program.symbol(symbol);
+    const auto parameter = std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.symbol == symbol; });
+    if (parameter != all.end()) require_double(scene.content(), *parameter);
     const Target target{"parameters", symbol->name};
     if (program.stage(value) == Stage::generation)
       given.push_back({target, value});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "torsor/generator/mechanics/inertia.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "torsor/generator/base/error.hpp"
@@ -33,6 +35,11 @@ Inertia of(const Expression& mass, const Triple& center, const Tableau& j) {
   return {mass, center, j[0][0], j[1][1], j[2][2], j[0][1], j[0][2], j[1][2]};
 }
 
+Inertia with_sizes(Inertia inertia, std::vector<StatedSize> sizes) {
+  inertia.sizes = std::move(sizes);
+  return inertia;
+}
+
 /// A body of revolution about one axis of its frame.
 Inertia revolution(const Expression& mass, const Expression& across, const Expression& along, int axis) {
   require_axis(axis);
@@ -50,57 +57,68 @@ Inertia Inertia::general(const GeneralInertia& body) {
 }
 
 Inertia Inertia::rod(const Expression& mass, const Expression& length, int axis) {
-  return revolution(mass, fraction(1, 12) * mass * pow(length, 2), 0, axis);
+  return with_sizes(revolution(mass, fraction(1, 12) * mass * pow(length, 2), 0, axis), {{"length of a rod", length}});
 }
 Inertia Inertia::disk(const Expression& mass, const Expression& radius, int axis) {
   const Expression square = mass * pow(radius, 2);
-  return revolution(mass, fraction(1, 4) * square, fraction(1, 2) * square, axis);
+  return with_sizes(revolution(mass, fraction(1, 4) * square, fraction(1, 2) * square, axis), {{"radius of a disk", radius}});
 }
 Inertia Inertia::ring(const Expression& mass, const Expression& radius, int axis) {
   const Expression square = mass * pow(radius, 2);
-  return revolution(mass, fraction(1, 2) * square, square, axis);
+  return with_sizes(revolution(mass, fraction(1, 2) * square, square, axis), {{"radius of a ring", radius}});
 }
 Inertia Inertia::cylinder(const Expression& mass, const Expression& radius, const Expression& height, int axis) {
   const Expression across = fraction(1, 12) * mass * (3 * pow(radius, 2) + pow(height, 2));
-  return revolution(mass, across, fraction(1, 2) * mass * pow(radius, 2), axis);
+  return with_sizes(revolution(mass, across, fraction(1, 2) * mass * pow(radius, 2), axis),
+                    {{"radius of a cylinder", radius}, {"height of a cylinder", height}});
 }
 Inertia Inertia::hollow_cylinder(const HollowCylinder& tube) {
   const Expression squares = pow(tube.outer_radius, 2) + pow(tube.inner_radius, 2);
   const Expression across = fraction(1, 12) * tube.mass * (3 * squares + pow(tube.height, 2));
-  return revolution(tube.mass, across, fraction(1, 2) * tube.mass * squares, tube.axis);
+  return with_sizes(revolution(tube.mass, across, fraction(1, 2) * tube.mass * squares, tube.axis),
+                    {{"inner radius of a hollow cylinder", tube.inner_radius},
+                     {"outer radius of a hollow cylinder", tube.outer_radius, StatedSize::Least::other, "inner radius",
+                      tube.inner_radius},
+                     {"height of a hollow cylinder", tube.height}});
 }
 Inertia Inertia::cylindrical_shell(const Expression& mass, const Expression& radius, const Expression& height,
                                    int axis) {
   const Expression across = fraction(1, 12) * mass * (6 * pow(radius, 2) + pow(height, 2));
-  return revolution(mass, across, mass * pow(radius, 2), axis);
+  return with_sizes(revolution(mass, across, mass * pow(radius, 2), axis),
+                    {{"radius of a cylindrical shell", radius}, {"height of a cylindrical shell", height}});
 }
 Inertia Inertia::cone(const Expression& mass, const Expression& base_radius, const Expression& height, int axis) {
   const Expression across = fraction(3, 80) * mass * (4 * pow(base_radius, 2) + pow(height, 2));
-  return revolution(mass, across, fraction(3, 10) * mass * pow(base_radius, 2), axis);
+  return with_sizes(revolution(mass, across, fraction(3, 10) * mass * pow(base_radius, 2), axis),
+                    {{"radius of a cone", base_radius}, {"height of a cone", height}});
 }
 Inertia Inertia::conical_shell(const Expression& mass, const Expression& base_radius, const Expression& height,
                                int axis) {
   const Expression across = fraction(1, 36) * mass * (9 * pow(base_radius, 2) + 2 * pow(height, 2));
-  return revolution(mass, across, fraction(1, 2) * mass * pow(base_radius, 2), axis);
+  return with_sizes(revolution(mass, across, fraction(1, 2) * mass * pow(base_radius, 2), axis),
+                    {{"radius of a conical shell", base_radius}, {"height of a conical shell", height}});
 }
 Inertia Inertia::solid_sphere(const Expression& mass, const Expression& radius) {
   const Expression any = fraction(2, 5) * mass * pow(radius, 2);
-  return general({.mass = mass, .xx = any, .yy = any, .zz = any});
+  return with_sizes(general({.mass = mass, .xx = any, .yy = any, .zz = any}), {{"radius of a sphere", radius}});
 }
 Inertia Inertia::hollow_sphere(const Expression& mass, const Expression& radius) {
   const Expression any = fraction(2, 3) * mass * pow(radius, 2);
-  return general({.mass = mass, .xx = any, .yy = any, .zz = any});
+  return with_sizes(general({.mass = mass, .xx = any, .yy = any, .zz = any}), {{"radius of a hollow sphere", radius}});
 }
 Inertia Inertia::box(const Expression& mass, const Expression& a, const Expression& b, const Expression& c) {
   const Expression k = fraction(1, 12) * mass;
-  return general({.mass = mass,
-                  .xx = k * (pow(b, 2) + pow(c, 2)),
-                  .yy = k * (pow(a, 2) + pow(c, 2)),
-                  .zz = k * (pow(a, 2) + pow(b, 2))});
+  return with_sizes(general({.mass = mass,
+                             .xx = k * (pow(b, 2) + pow(c, 2)),
+                             .yy = k * (pow(a, 2) + pow(c, 2)),
+                             .zz = k * (pow(a, 2) + pow(b, 2))}),
+                    {{"edge of a box", a}, {"edge of a box", b}, {"edge of a box", c}});
 }
 Inertia Inertia::plate(const Expression& mass, const Expression& a, const Expression& b) {
   const Expression k = fraction(1, 12) * mass;
-  return general({.mass = mass, .xx = k * pow(b, 2), .yy = k * pow(a, 2), .zz = k * (pow(a, 2) + pow(b, 2))});
+  return with_sizes(
+      general({.mass = mass, .xx = k * pow(b, 2), .yy = k * pow(a, 2), .zz = k * (pow(a, 2) + pow(b, 2))}),
+      {{"edge of a plate", a}, {"edge of a plate", b}});
 }
 
 Inertia Inertia::half_disk(const Expression& mass, const Expression& radius, int axis) {
@@ -114,7 +132,7 @@ Inertia Inertia::half_disk(const Expression& mass, const Expression& radius, int
   j[z][z] = (fraction(1, 2) - offset) * square;
   Triple center{0, 0, 0};
   center[y] = fraction(4, 3) * radius / pi();
-  return of(mass, center, j);
+  return with_sizes(of(mass, center, j), {{"radius of a half disk", radius}});
 }
 Inertia Inertia::quarter_disk(const Expression& mass, const Expression& radius, int axis) {
   require_axis(axis);
@@ -130,7 +148,7 @@ Inertia Inertia::quarter_disk(const Expression& mass, const Expression& radius, 
   Triple center{0, 0, 0};
   center[x] = fraction(4, 3) * radius / pi();
   center[y] = center[x];
-  return of(mass, center, j);
+  return with_sizes(of(mass, center, j), {{"radius of a quarter disk", radius}});
 }
 Inertia Inertia::triangle(const Expression& mass, const Triple& a, const Triple& b, const Triple& c) {
   const Triple center = fraction(1, 3) * (a + b + c);
@@ -147,11 +165,11 @@ Inertia Inertia::rotated(const Rotation& rotation) const {
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) entries[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = rotation(i, j);
   }
-  return of(mass, entries * center, turned(entries, tableau(*this)));
+  return with_sizes(of(mass, entries * center, turned(entries, tableau(*this))), sizes);
 }
 Inertia Inertia::rotated(const Triple& axis, const Expression& angle) const {
   const Tableau rotation = rotation_about(axis, angle);
-  return of(mass, rotation * center, turned(rotation, tableau(*this)));
+  return with_sizes(of(mass, rotation * center, turned(rotation, tableau(*this))), sizes);
 }
 
 Inertia Inertia::at(const Triple& new_center) const {

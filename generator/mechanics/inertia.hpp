@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "torsor/generator/expression/expression.hpp"
 #include "torsor/generator/geometry/rotation.hpp"
 #include "torsor/generator/geometry/triple.hpp"
+#include "torsor/generator/mechanics/stated_size.hpp"
 
 namespace torsor {
 
@@ -19,6 +22,7 @@ struct Inertia {
   Expression mass;
   Triple center;  ///< OG, O being the origin of the body's frame
   Expression xx, yy, zz, xy, xz, yz;
+  std::vector<StatedSize> sizes{};  ///< of the bodies that it was made from
 
   /// A point mass at the origin of the frame.
   /// Equation: J = 0 about the point.

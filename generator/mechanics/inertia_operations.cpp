@@ -38,11 +38,12 @@ Inertia from_operator_about(const Expression& mass, const Triple& center, const 
 }
 
 Inertia operator-(const Inertia& body) {
-  return {-body.mass, body.center, -body.xx, -body.yy, -body.zz, -body.xy, -body.xz, -body.yz};
+  return {-body.mass, body.center, -body.xx, -body.yy, -body.zz, -body.xy, -body.xz, -body.yz, body.sizes};
 }
 
 Inertia operator+(const Inertia& a, const Inertia& b) {
-  Inertia sum{a.mass + b.mass, a.center, a.xx + b.xx, a.yy + b.yy, a.zz + b.zz, a.xy + b.xy, a.xz + b.xz, a.yz + b.yz};
+  Inertia sum{a.mass + b.mass, a.center, a.xx + b.xx, a.yy + b.yy, a.zz + b.zz, a.xy + b.xy, a.xz + b.xz, a.yz + b.yz, a.sizes};
+  sum.sizes.insert(sum.sizes.end(), b.sizes.begin(), b.sizes.end());
   if (b.mass.is_zero()) return sum;
   if (a.mass.is_zero()) {
     sum.center = b.center;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "torsor/generator/mechanics/parameter_value.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "torsor/generator/base/error.hpp"
@@ -29,6 +31,16 @@ std::optional<Real> known_value(const SceneContent& scene, const Expression& for
   } catch (const SceneError&) {
     return std::nullopt;
   }
+}
+
+void require_double(const SceneContent& scene, const ParameterContent& parameter) {
+  const std::optional<Real> value = parameter.value ? known_value(scene, *parameter.value) : std::nullopt;
+  if (!value || value->is_nan()) return;
+  const double rounded = value->to_double();
+  if (std::isfinite(rounded) && (rounded != 0.0 || value->is_zero())) return;
+  throw SceneError(fmt::format("the run-time parameter '{}' has the value {}, which no double holds: give one between 1e-308 "
+                               "and 1e308 in size, in another unit",
+                               parameter.symbol->name, value->to_string(6)));
 }
 
 std::optional<Expression> initial_formula(const SceneContent& scene, const SymbolPointer& symbol) {

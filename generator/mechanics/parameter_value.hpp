@@ -16,6 +16,10 @@ Real parameter_value(const SceneContent& scene, const Expression& formula, bool 
 /// The same, or nothing where the formula needs more than parameters that have values.
 std::optional<Real> known_value(const SceneContent& scene, const Expression& formula);
 
+/// Throws SceneError where the value of a parameter that is set at run time lies beyond double's range: there numbers of that
+/// type take its place.
+void require_double(const SceneContent& scene, const ParameterContent& parameter);
+
 /// What `initial` says of a coordinate, a component of an attitude or a rate; nothing where it starts at zero.
 std::optional<Expression> initial_formula(const SceneContent& scene, const SymbolPointer& symbol);
 

@@ -300,7 +300,11 @@ PointHandle Scene::ellipsoid_contact(const std::string& name, const FrameReferen
   const auto h = [&](const Triple& u) {
     return sqrt(pow(semi_axes[0] * u[0], 2) + pow(semi_axes[1] * u[1], 2) + pow(semi_axes[2] * u[2], 2));
   };
-  return support_contact(name, frame, h, plane);
+  const PointHandle point = support_contact(name, frame, h, plane);
+  for (const Expression& each : semi_axes) {
+    content_.points[as_index(point.index)].sizes.push_back({"semi-axis of an ellipsoid", each, StatedSize::Least::above_zero});
+  }
+  return point;
 }
 PointHandle Scene::support_contact(const std::string& name, const FrameReference& frame,
                                    const std::function<Expression(const Triple& u)>& h, const FrameReference& plane) {

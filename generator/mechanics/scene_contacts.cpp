@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "torsor/generator/base/as_index.hpp"
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/mechanics/identifier.hpp"
 #include "torsor/generator/mechanics/require_unit.hpp"
@@ -80,11 +81,13 @@ std::vector<PointHandle> Scene::touching_points(const std::string& name, const C
                                  "torus, an ellipsoid, a convex body or a box",
                                  name, shape_name(shape)));
   }
+  std::vector<StatedSize> sizes;
   std::vector<Triple> corners{{Expression(0), Expression(0), Expression(0)}};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Expression& half = box->half_edges[axis];
     require_unit(half, units::metre, fmt::format("a half edge of the contact '{}'", name));
     if (half.is_zero()) continue;
+    sizes.push_back({"half edge of a box", half});
     std::vector<Triple> moved;
     for (const Triple& corner : corners) {
       for (const Expression& at : {-half, half}) {
@@ -98,6 +101,7 @@ std::vector<PointHandle> Scene::touching_points(const std::string& name, const C
   for (const Triple& corner : corners) {
     points.push_back(this->point(fmt::format("{}_{}_point", name, points.size() + 1), box->frame, corner));
   }
+  content_.points[as_index(points.front().index)].sizes = std::move(sizes);
   content_.boxes.push_back(points);
   return points;
 }

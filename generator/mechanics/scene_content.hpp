@@ -68,6 +68,7 @@ struct PointContent {
   Triple components;
   std::optional<LowestPoint> lowest = std::nullopt;
   std::string contact = {};  ///< that made it; empty: its author did
+  std::vector<StatedSize> sizes{};  ///< of an ellipsoid or a box, of which a support function or corners are kept
 };
 
 /// Whether the moments of inertia of a body must be such as matter can have.

@@ -89,6 +89,21 @@ std::vector<SizeBound> bounds_of_contact(const ContactContent& contact) {
   return bounds.take();
 }
 
+/// Of a length of which the squares alone went into a formula, where a sign is lost.
+SizeBound bound_of_size(const std::string& owner, const StatedSize& size) {
+  const std::string has = owner + " has the " + size.what + " " + with_value(size.value) + " m";
+  switch (size.least) {
+    case StatedSize::Least::other:
+      return {size.value, Relation::at_least, size.other,
+              has + ", below the " + size.other_what + " " + with_value(size.other) + " m: exchange them, or correct one"};
+    case StatedSize::Least::above_zero:
+      return {Expression(0), Relation::below, size.value, has + ": it must be above 0", {size.value}};
+    case StatedSize::Least::zero:
+      break;
+  }
+  return {size.value, Relation::at_least, Expression(0), has + ": a length is never negative; give its size"};
+}
+
 /// The lower stop of the same coordinate; null: there is none.
 const ContactContent* lower_stop_of(const SceneContent& scene, const Stop& upper) {
   for (const ContactContent& contact : scene.contacts) {
@@ -197,6 +212,17 @@ std::vector<SizeBound> bounds_of_moments(const SceneContent& scene, const BodyCo
   return bounds;
 }
 
+std::vector<SizeBound> bounds_of_stated_sizes(const SceneContent& scene) {
+  std::vector<SizeBound> bounds;
+  for (const BodyContent& body : scene.bodies) {
+    for (const StatedSize& size : body.inertia.sizes) bounds.push_back(bound_of_size(scene.name_of(body), size));
+  }
+  for (const PointContent& point : scene.points) {
+    for (const StatedSize& size : point.sizes) bounds.push_back(bound_of_size(name_of(point), size));
+  }
+  return bounds;
+}
+
 std::vector<SizeBound> bounds_of_frictions(const SceneContent& scene) {
   std::vector<SizeBound> bounds;
   for (const ContactFriction& friction : scene.frictions) {
@@ -243,6 +269,7 @@ std::vector<SizeBound> bounds_that_depend_on(const SceneContent& scene, const st
     bounds.push_back(bound_of_mass(scene, *body));
     append(bounds, bounds_of_moments(scene, *body));
   }
+  append(bounds, bounds_of_stated_sizes(scene));
   append(bounds, bounds_of_frictions(scene));
   append(bounds, bounds_of_surfaces(scene));
   append(bounds, bounds_of_axes(scene));

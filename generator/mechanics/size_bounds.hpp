@@ -37,6 +37,8 @@ SizeBound bound_of_mass(const SceneContent& scene, const BodyContent& body);
 /// Of a body's moments of inertia about its centre of mass what `check_inertia` asks of them, as formulas: leading minors of
 /// their operator, or of that of the second moments, are not negative. Errors of 10⁻⁵ of their sum are allowed.
 std::vector<SizeBound> bounds_of_moments(const SceneContent& scene, const BodyContent& body);
+/// Of the lengths from which inertias and surfaces that touch were made.
+std::vector<SizeBound> bounds_of_stated_sizes(const SceneContent& scene);
 /// Of coefficients and lengths of friction.
 std::vector<SizeBound> bounds_of_frictions(const SceneContent& scene);
 /// Of surfaces that touch: coefficients, radii, places of stops.

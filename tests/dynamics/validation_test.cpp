@@ -20,6 +20,26 @@ std::string refusal(const Scene& scene) {
 
 TEST(Validation, LetsAGoodSceneThrough) { EXPECT_EQ(refusal(pendulum()), "no error"); }
 
+// Numbers of type double take the place of a parameter that is set at run time.
+TEST(Validation, RefusesARunTimeParameterThatNoDoubleHolds) {
+  for (const char* value : {"1e400", "-1e400", "1e-400"}) {
+    Scene scene = pendulum();
+    const Expression p = scene.run_time_parameter("p", "kg", kilograms(value));
+    scene.body("heavy", "arm", Inertia::point(kilograms("1") + p));
+    EXPECT_TRUE(refusal(scene).starts_with("the run-time parameter 'p' has the value ")) << refusal(scene);
+    Scene fixed = pendulum();
+    fixed.parameter("q", "kg", kilograms(value));
+    EXPECT_EQ(refusal(fixed), "no error");
+  }
+}
+
+TEST(Validation, RefusesALengthThatIsNegative) {
+  Scene scene = pendulum();
+  const Expression r = scene.parameter("r", "m", -1);
+  scene.body("wheel", "arm", Inertia::disk(kilograms("1"), r, 1));
+  EXPECT_EQ(refusal(scene), "body 'wheel' has the radius of a disk r = -1 m: a length is never negative; give its size");
+}
+
 TEST(Validation, NamesAnUnknownFrameAndTheKnownOnes) {
   Scene scene = pendulum();
   scene.body("lost", "elbow", Inertia::point(kilograms("1")));

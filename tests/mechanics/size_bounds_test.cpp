@@ -77,6 +77,104 @@ TEST(SizeBounds, NameTheSizeAndItsValue) {
 }
 
 // A + B >= C of principal moments: with a product D these are C and those of [A D; D B]. E and F are the other products.
+/// What is said of a body of that inertia, whose sizes are parameters.
+std::string said_of(Inertia (*make)(const Expression& a, const Expression& b, const Expression& c), double a, double b, double c) {
+  Scene scene("bodies");
+  const Expression A = scene.run_time_parameter("A", "m", a), B = scene.parameter("B", "m", b), C = scene.parameter("C", "m", c);
+  const Expression q = scene.coordinate("q", "rad");
+  scene.body("top", scene.revolute("hinge", scene.ground(), axis::y, q), make(A, B, C));
+  const auto error = [&](const std::vector<SizeBound>& bounds) -> std::string {
+    try {
+      require_bounds(scene.content(), bounds);
+    } catch (const SceneError& refused) {
+      return refused.what();
+    }
+    return {};
+  };
+  const std::string of_all = error(bounds_of_stated_sizes(scene.content()));
+  const std::vector<SymbolPointer> all{A.as_symbol(), B.as_symbol(), C.as_symbol()};
+  EXPECT_EQ(error(bounds_that_depend_on(scene.content(), all)), of_all);
+  return of_all;
+}
+
+const Expression two = kilograms("2");
+
+// Only squares of lengths stand in moments of inertia.
+TEST(SizeBounds, KnowTheLengthsThatInertiasWereMadeOf) {
+  const std::string of_length = " m: a length is never negative; give its size";
+  using E = const Expression&;
+  const auto box = [](E a, E b, E c) { return Inertia::box(two, a, b, c); };
+  EXPECT_EQ(said_of(box, 1, 2, 3), "");
+  EXPECT_EQ(said_of(box, 1, 2, 0), "");  // a plate
+  EXPECT_EQ(said_of(box, -1, 2, 3), "body 'top' has the edge of a box A = -1" + of_length);
+  EXPECT_EQ(said_of(box, 1, -2, 3), "body 'top' has the edge of a box B = -2" + of_length);
+  EXPECT_EQ(said_of(box, 1, 2, -3), "body 'top' has the edge of a box C = -3" + of_length);
+  const auto moved = [](E a, E b, E) {
+    return (Inertia::point(two) + Inertia::cylinder(two, a, b, 2).rotated({1, 2, 3}, Expression(1) / 2)).at({0, 0, a});
+  };
+  EXPECT_EQ(said_of(moved, -1, 2, 0), "body 'top' has the radius of a cylinder A = -1" + of_length);
+  EXPECT_EQ(said_of(moved, 1, -2, 0), "body 'top' has the height of a cylinder B = -2" + of_length);
+  const auto hole = [](E a, E b, E c) { return Inertia::solid_sphere(10 * two, c) - Inertia::rod(two, a + b, 2); };
+  EXPECT_EQ(said_of(hole, 1, -2, 1), "body 'top' has the length of a rod A + B = -1" + of_length);
+  const auto tube = [](E a, E b, E c) { return Inertia::hollow_cylinder({two, a, b, c, 2}); };
+  EXPECT_EQ(said_of(tube, 2, 1, 1), "");
+  EXPECT_EQ(said_of(tube, 1, 1, 0), "");
+  EXPECT_EQ(said_of(tube, 1, 2, 1),
+            "body 'top' has the outer radius of a hollow cylinder A = 1 m, below the inner radius B = 2 m: exchange them, or "
+            "correct one");
+  EXPECT_EQ(said_of(tube, 2, -1, 1), "body 'top' has the inner radius of a hollow cylinder B = -1" + of_length);
+  EXPECT_EQ(said_of(tube, 2, 1, -1), "body 'top' has the height of a hollow cylinder C = -1" + of_length);
+}
+
+TEST(SizeBounds, KnowEveryShapeOfInertias) {
+  using E = const Expression&;
+  using Make = Inertia (*)(E, E, E);
+  const std::map<std::string, Make> of_a{
+      {"length of a rod", [](E a, E, E) { return Inertia::rod(two, a, 0); }},
+      {"radius of a disk", [](E a, E, E) { return Inertia::disk(two, a, 0); }},
+      {"radius of a ring", [](E a, E, E) { return Inertia::ring(two, a, 0); }},
+      {"radius of a cylindrical shell", [](E a, E b, E) { return Inertia::cylindrical_shell(two, a, b, 0); }},
+      {"height of a cylindrical shell", [](E a, E b, E) { return Inertia::cylindrical_shell(two, b, a, 0); }},
+      {"radius of a cone", [](E a, E b, E) { return Inertia::cone(two, a, b, 0); }},
+      {"height of a cone", [](E a, E b, E) { return Inertia::cone(two, b, a, 0); }},
+      {"radius of a conical shell", [](E a, E b, E) { return Inertia::conical_shell(two, a, b, 0); }},
+      {"height of a conical shell", [](E a, E b, E) { return Inertia::conical_shell(two, b, a, 0); }},
+      {"radius of a sphere", [](E a, E, E) { return Inertia::solid_sphere(two, a); }},
+      {"radius of a hollow sphere", [](E a, E, E) { return Inertia::hollow_sphere(two, a); }},
+      {"edge of a plate", [](E a, E b, E) { return Inertia::plate(two, b, a); }},
+      {"radius of a half disk", [](E a, E, E) { return Inertia::half_disk(two, a, 0); }},
+      {"radius of a quarter disk", [](E a, E, E) { return Inertia::quarter_disk(two, a, 0); }},
+  };
+  for (const auto& [what, make] : of_a) {
+    EXPECT_EQ(said_of(make, -1, 1, 1), "body 'top' has the " + what + " A = -1 m: a length is never negative; give its size");
+    EXPECT_EQ(said_of(make, 1, 1, 1), "") << what;
+  }
+}
+
+TEST(SizeBounds, KnowTheLengthsOfWhatTouches) {
+  const auto said = [](const ContactShape& shape) -> std::string {
+    Scene scene("touch");
+    const Expression z = scene.coordinate("z", "m");
+    scene.body("stone", scene.prismatic("stone", scene.ground(), axis::z, z), Inertia::point(kilograms("1")));
+    scene.contact("floor", shape, shape::Plane{.frame = scene.ground()}, {});
+    try {
+      require_bounds(scene.content(), bounds_of_stated_sizes(scene.content()));
+    } catch (const SceneError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  const Expression one = Expression::quantity("1", "m");
+  EXPECT_EQ(said(shape::Ellipsoid{.frame = "stone", .semi_axes = {one, one, 2 * one}}), "");
+  EXPECT_EQ(said(shape::Ellipsoid{.frame = "stone", .semi_axes = {one, -one, 2 * one}}),
+            "contact 'floor' has the semi-axis of an ellipsoid -1 m: it must be above 0");
+  EXPECT_EQ(said(shape::Box{.frame = "stone", .half_edges = {one, 0, one}}), "");
+  EXPECT_EQ(said(shape::Box{.frame = "stone", .half_edges = {-one, 0, one}}),
+            "contact 'floor' has the half edge of a box -1 m: a length is never negative; give its size");
+  EXPECT_EQ(said(shape::Box{.frame = "stone", .half_edges = {one, one, -2 * one}}),
+            "contact 'floor' has the half edge of a box -2 m: a length is never negative; give its size");
+}
+
 TEST(SizeBounds, AskOfMomentsWhatMatterHas) {
   Block block;
   const std::string no_matter = "body 'block' has the moments of inertia xx = ";

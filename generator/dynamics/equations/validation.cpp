@@ -265,7 +265,11 @@ void check_initial_state(const Equations& equations) {
 
 void check_values(const SceneContent& scene) {
   const WorkingDigits precision(generic_digits);
+  for (const ParameterContent& parameter : scene.parameters) {
+    if (parameter.run_time) require_double(scene, parameter);
+  }
   for (const BodyContent* body : scene.inertias()) check_inertia(scene, *body);
+  require_bounds(scene, bounds_of_stated_sizes(scene));
   require_bounds(scene, bounds_of_axes(scene), WithoutValue::made_up);
   require_bounds(scene, bounds_of_frictions(scene));
   check_surfaces(scene);
