@@ -115,7 +115,7 @@ TEST(SizeBounds, KnowTheLengthsThatInertiasWereMadeOf) {
   EXPECT_EQ(said_of(moved, -1, 2, 0), "body 'top' has the radius of a cylinder A = -1" + of_length);
   EXPECT_EQ(said_of(moved, 1, -2, 0), "body 'top' has the height of a cylinder B = -2" + of_length);
   const auto hole = [](E a, E b, E c) { return Inertia::solid_sphere(10 * two, c) - Inertia::rod(two, a + b, 2); };
-  EXPECT_EQ(said_of(hole, 1, -2, 1), "body 'top' has the length of a rod A + B = -1" + of_length);
+  EXPECT_EQ(said_of(hole, 1, -2, 1), "body 'top' has the length of a rod (A + B) = -1" + of_length);
   const auto tube = [](E a, E b, E c) { return Inertia::hollow_cylinder({two, a, b, c, 2}); };
   EXPECT_EQ(said_of(tube, 2, 1, 1), "");
   EXPECT_EQ(said_of(tube, 1, 1, 0), "");
