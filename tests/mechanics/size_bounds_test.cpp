@@ -7,6 +7,7 @@
 #include <map>
 
 #include "torsor/generator/base/error.hpp"
+#include "torsor/generator/mechanics/inertia_operations.hpp"
 #include "torsor/generator/mechanics/parameter_value.hpp"
 #include "torsor/generator/mechanics/scene.hpp"
 #include "tests/scenes/bodies.hpp"

@@ -6,6 +6,7 @@
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/base/linear_algebra/symmetric_pivots.hpp"
 #include "torsor/generator/dynamics/theorems/flat_polynomials.hpp"
+#include "torsor/generator/dynamics/theorems/joint_reactions.hpp"
 #include "torsor/generator/program/sized.hpp"
 
 namespace torsor {
