@@ -55,18 +55,18 @@ constexpr const char* both_kinds_of_2 =
     <SourceFiles><File name="{0}_fmi2.c"/></SourceFiles>
   </CoSimulation>)";
 constexpr const char* with_contacts_of_2 =
-    R"(  <ModelExchange modelIdentifier="{0}" canNotUseMemoryManagementFunctions="true" canGetAndSetFMUstate="true" canSerializeFMUstate="true">
+    R"(  <ModelExchange modelIdentifier="{0}" canNotUseMemoryManagementFunctions="true" canGetAndSetFMUstate="true" canSerializeFMUstate="true" providesDirectionalDerivative="true">
     <SourceFiles><File name="{0}_fmi2.c"/><File name="{0}_contacts.cpp"/><File name="contact_layer.cpp"/></SourceFiles>
   </ModelExchange>
-  <CoSimulation modelIdentifier="{0}" canHandleVariableCommunicationStepSize="true" canNotUseMemoryManagementFunctions="true" canGetAndSetFMUstate="true" canSerializeFMUstate="true">
+  <CoSimulation modelIdentifier="{0}" canHandleVariableCommunicationStepSize="true" canNotUseMemoryManagementFunctions="true" canGetAndSetFMUstate="true" canSerializeFMUstate="true" providesDirectionalDerivative="true">
     <SourceFiles><File name="{0}_fmi2.c"/><File name="{0}_contacts.cpp"/><File name="contact_layer.cpp"/></SourceFiles>
   </CoSimulation>)";
 constexpr const char* both_kinds_of_3 =
     R"(  <ModelExchange modelIdentifier="{0}" canGetAndSetFMUState="true" canSerializeFMUState="true" providesDirectionalDerivatives="true" providesAdjointDerivatives="true" needsCompletedIntegratorStep="true"/>
   <CoSimulation modelIdentifier="{0}" canGetAndSetFMUState="true" canSerializeFMUState="true" providesDirectionalDerivatives="true" providesAdjointDerivatives="true" canHandleVariableCommunicationStepSize="true"/>)";
 constexpr const char* with_contacts_of_3 =
-    R"(  <ModelExchange modelIdentifier="{0}" canGetAndSetFMUState="true" canSerializeFMUState="true" needsCompletedIntegratorStep="true"/>
-  <CoSimulation modelIdentifier="{0}" canGetAndSetFMUState="true" canSerializeFMUState="true" canHandleVariableCommunicationStepSize="true"/>)";
+    R"(  <ModelExchange modelIdentifier="{0}" canGetAndSetFMUState="true" canSerializeFMUState="true" providesDirectionalDerivatives="true" providesAdjointDerivatives="true" needsCompletedIntegratorStep="true"/>
+  <CoSimulation modelIdentifier="{0}" canGetAndSetFMUState="true" canSerializeFMUState="true" providesDirectionalDerivatives="true" providesAdjointDerivatives="true" canHandleVariableCommunicationStepSize="true"/>)";
 
 /// What ModelStructure tells: of outputs also what they depend on.
 struct ModelStructure {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "torsor/generator/base/error.hpp"
+#include "torsor/generator/kernels/kernel_contact_derivatives.hpp"
 #include "torsor/generator/kernels/kernel_sizes.hpp"
 
 namespace torsor {
@@ -57,6 +58,10 @@ FmiUnit lower_unit(const Scene& scene, FmiVersion version, const OutputNames& ou
   unit.outputs = outputs;
   unit.sizes = bounds_that_depend_on(scene.content(), run_time_parameters(scene, options));
   std::vector<FurtherKernel> further = output_kernels(outputs);
+  if (!scene.content().contacts.empty()) {
+    further.push_back({"contact_motion_derivatives", make_contact_motion_derivatives});
+    further.push_back({"contact_row_derivatives", make_contact_row_derivatives});
+  }
   if (!unit.sizes.empty()) {
     further.push_back({"run_time_sizes", [&unit](const Equations& equations) { return make_sizes(equations, unit.sizes); }});
   }

@@ -68,6 +68,7 @@ class ContactAutomaton {
   [[nodiscard]] ContactResult& result() noexcept { return result_; }
   [[nodiscard]] const ContactResult& result() const noexcept { return result_; }
   [[nodiscard]] ContactMotion& motion() noexcept { return motion_; }
+  [[nodiscard]] const ContactMotion& motion() const noexcept { return motion_; }
   [[nodiscard]] const ContactOptions& options() const noexcept { return options_; }
 
  private:

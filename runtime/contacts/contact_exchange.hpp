@@ -37,6 +37,8 @@ class ContactExchange {
   /// At an event: passes all that have fallen; false where the motion ends.
   bool update(double t, std::span<double> y);
 
+  /// The present regimes, at the state of the last call.
+  [[nodiscard]] const ContactMotion& motion() const noexcept { return automaton_.motion(); }
   [[nodiscard]] const ContactResult& result() const noexcept { return automaton_.result(); }
 
  private:

@@ -219,12 +219,20 @@ ContactProblem ContactMotion::problem_of(const ContactReading& reading, const Co
   return problem;
 }
 
+double ContactMotion::directionless(int i) const noexcept {
+  return std::max({64 * rounding_of(tangent_row(i)), 1e-12 * at(i).fastest, at(i).fades ? blur(i) : 0});
+}
+
+bool ContactMotion::turns_with_velocity(int i) const noexcept {
+  return rule(i).tangents < 2 || (!at(i).begins && slip_speed(i) >= 2 * directionless(i));
+}
+
 std::array<double, 2> ContactMotion::direction(int i) const noexcept {
   const auto& last = at(i).direction;
   if (rule(i).tangents < 2 || at(i).begins) return last;
   const int t = tangent_row(i);
   const double x = reading_.w(t), y = reading_.w(t + 1), length = slip_speed(i);
-  const double none = std::max({64 * rounding_of(t), 1e-12 * at(i).fastest, at(i).fades ? blur(i) : 0});
+  const double none = directionless(i);
   if (!(length > none)) return last;
   const double sign = (x * last[0] + y * last[1] < 0 ? -1 : 1) / length;
   if (length >= 2 * none) return {sign * x, sign * y};

@@ -128,6 +128,9 @@ class ContactMotion {
 
   /// Direction of the slip at the state read last.
   [[nodiscard]] std::array<double, 2> direction(int i) const noexcept;
+  /// Whether that is the direction of its velocity, with which it turns, or one that nothing turns, as in the plane. Else forces
+  /// give it, or the last one has a part in it.
+  [[nodiscard]] bool turns_with_velocity(int i) const noexcept;
   /// Direction of the velocity of a slip, whatever is known of it; the last one where it has none.
   [[nodiscard]] std::array<double, 2> velocity_direction(int i) const noexcept;
 
@@ -246,6 +249,8 @@ class ContactMotion {
   template <class Number>
   [[nodiscard]] bool jumps(double t, std::span<const double> y, const Number& number);
   [[nodiscard]] bool follows_forces(int i) const noexcept;
+  /// A slip below which its velocity has no direction.
+  [[nodiscard]] double directionless(int i) const noexcept;
   [[nodiscard]] bool respond();
   /// Slips whose directions are sought from forces, and the problem that these solve.
   struct Alignment {

@@ -164,6 +164,44 @@ def assert_slopes_by_parameters(unit, component):
     np.testing.assert_allclose(together, expected, rtol=0, atol=1e-14 * (np.abs([of_state, *columns]).T @ seed).max())
 
 
+def assert_slopes_while_regimes_last(unit, component, attitude=(), known=()):
+    """Of all derivatives of states, by states and by others that can be set, as an importer of model exchange sees them change.
+    `attitude` are the four states of a quaternion, which changes along unit ones alone. Returns them, a column for each."""
+    begin, count = unit.state(component), len(known)
+    given, names = unit.get(component, list(known)), [unit.by_reference[k]["name"] for k in unit.states] + list(known)
+    turn = [names.index(name) for name in attitude]
+
+    def at(change):
+        assert unit.SetContinuousStates(component, doubles(begin + change[:unit.n])[0], c_size_t(unit.n)) == OK
+        assert unit.set(component, list(known), given + change[unit.n:]) == OK
+        pointer, values = doubles(np.zeros(unit.n))
+        assert unit.get_derivatives(component, pointer) == OK
+        return values
+
+    def derivative(seed):
+        pointer, found = doubles(np.zeros(unit.n))
+        assert unit.directional(component, unit.derivatives, names, seed, pointer) == OK
+        return found
+
+    h, columns, scale = 1e-5, [], 1 + np.abs(at(np.zeros(unit.n + count))).max()
+    for k in range(unit.n + count):
+        direction = np.eye(unit.n + count)[k]
+        if k in turn:
+            direction[turn] -= begin[k] * begin[turn]
+        slope = (at(h * direction) - at(-h * direction)) / (2 * h)
+        at(np.zeros(unit.n + count))
+        columns.append(derivative(direction))
+        # Central differences: h^2/6 of third derivatives, at most a thousand times the values, and some ten roundings over h.
+        np.testing.assert_allclose(columns[-1], slope, rtol=0, atol=scale * (h**2 * 1e3 / 6 + 1e-15 / h), err_msg=names[k])
+    if unit.version == 3:
+        seed = np.linspace(0.5, 1.5, unit.n)
+        pointer, found = doubles(np.zeros(len(names)))
+        assert unit.adjoint(component, unit.derivatives, names, seed, pointer) == OK
+        straight = [derivative(unit_vector) for unit_vector in np.eye(unit.n + count)]
+        np.testing.assert_allclose(found, np.array(straight) @ seed, rtol=0, atol=1e-13 * (np.abs(straight) @ seed).max())
+    return np.transpose(columns)
+
+
 class EventInfo(ctypes.Structure):
     _fields_ = [(name, c_int) for name in ("needed", "terminate", "nominals", "values", "defined")] + [("next", c_double)]
 

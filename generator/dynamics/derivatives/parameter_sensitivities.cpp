@@ -41,6 +41,13 @@ int cost(const Program& program, const std::vector<Value>& values, const ValueMa
   return count(program, all).total();
 }
 
+std::vector<Value> of_unknowns(const Equations& equations) {
+  const std::vector<Value>& all = equations.inverse_dynamics();
+  return {all.begin(), all.begin() + equations.model().unknown_count()};
+}
+
+}  // namespace
+
 ValueMatrix derivatives_by_parameters(const Equations& equations, const std::vector<Value>& values,
                                       const std::vector<SymbolPointer>& parameters) {
   Program& program = equations.program();
@@ -49,13 +56,6 @@ ValueMatrix derivatives_by_parameters(const Equations& equations, const std::vec
   ValueMatrix reverse = by_reverse_sweeps(program, values, parameters);
   return cost(program, values, reverse) < cost(program, values, forward) ? reverse : forward;
 }
-
-std::vector<Value> of_unknowns(const Equations& equations) {
-  const std::vector<Value>& all = equations.inverse_dynamics();
-  return {all.begin(), all.begin() + equations.model().unknown_count()};
-}
-
-}  // namespace
 
 std::vector<SymbolPointer> sensitivity_parameters(const Equations& equations) {
   const auto& chosen = equations.model().options().sensitive_to;
