@@ -166,10 +166,10 @@ def assert_slopes_by_parameters(unit, component):
 
 def assert_slopes_while_regimes_last(unit, component, attitude=(), known=()):
     """Of all derivatives of states, by states and by others that can be set, as an importer of model exchange sees them change.
-    `attitude` are the four states of a quaternion, which changes along unit ones alone. Returns them, a column for each."""
+    `attitude` are the states of quaternions, four of each, which change along unit ones alone. Returns them, a column for each."""
     begin, count = unit.state(component), len(known)
     given, names = unit.get(component, list(known)), [unit.by_reference[k]["name"] for k in unit.states] + list(known)
-    turn = [names.index(name) for name in attitude]
+    turns = [[names.index(name) for name in attitude[k:k + 4]] for k in range(0, len(attitude), 4)]
 
     def at(change):
         assert unit.SetContinuousStates(component, doubles(begin + change[:unit.n])[0], c_size_t(unit.n)) == OK
@@ -183,16 +183,18 @@ def assert_slopes_while_regimes_last(unit, component, attitude=(), known=()):
         assert unit.directional(component, unit.derivatives, names, seed, pointer) == OK
         return found
 
-    h, columns, scale = 1e-5, [], 1 + np.abs(at(np.zeros(unit.n + count))).max()
+    h, columns, scale = 1e-4, [], 1 + np.abs(at(np.zeros(unit.n + count))).max()
     for k in range(unit.n + count):
         direction = np.eye(unit.n + count)[k]
-        if k in turn:
-            direction[turn] -= begin[k] * begin[turn]
-        slope = (at(h * direction) - at(-h * direction)) / (2 * h)
+        for turn in turns:
+            direction[turn] -= begin[turn] * (begin[turn] @ direction[turn])
+        near, far = (at(m * h * direction) - at(-m * h * direction) for m in (1, 2))
+        slope = (8 * near - far) / (12 * h)
         at(np.zeros(unit.n + count))
         columns.append(derivative(direction))
-        # Central differences: h^2/6 of third derivatives, at most a thousand times the values, and some ten roundings over h.
-        np.testing.assert_allclose(columns[-1], slope, rtol=0, atol=scale * (h**2 * 1e3 / 6 + 1e-15 / h), err_msg=names[k])
+        # Central differences of the fourth order: h^4/30 of fifth derivatives, at most a million times the values, and a hundred
+        # roundings over h.
+        np.testing.assert_allclose(columns[-1], slope, rtol=0, atol=scale * (h**4 * 1e6 / 30 + 1e-14 / h), err_msg=names[k])
     if unit.version == 3:
         seed = np.linspace(0.5, 1.5, unit.n)
         pointer, found = doubles(np.zeros(len(names)))

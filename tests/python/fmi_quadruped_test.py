@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from conftest import scene
-from fmi_importer import CO_SIMULATION, MODEL_EXCHANGE, OK, Unit2, Unit3
+from fmi_importer import CO_SIMULATION, MODEL_EXCHANGE, OK, Unit2, Unit3, assert_slopes_while_regimes_last
 
 # Both versions wrap the same code, which takes the compiler long.
 KINDS = (Unit2, Unit3) if os.environ.get("TORSOR_LONG_TESTS") else (Unit3,)
@@ -89,3 +89,14 @@ def test_a_robot_falls_onto_its_feet_as_in_the_runtime(kind, tmp_path):
     np.testing.assert_allclose(unit.get(component, ["energy.kinetic", "energy.total"]),
                                [energy.kinetic, energy.kinetic - energy.force_function], rtol=1e-13)
     unit.FreeInstance(component)
+    # With its feet on the ground: what they do is in the derivatives of accelerations, along places, velocities and torques.
+    run = unit.instantiate(MODEL_EXCHANGE)
+    assert unit.initialise(run, 0.0, 1e-12) == OK
+    names, values = torques(unit)
+    assert unit.set(run, [*names, *unit.states], [*values, *y]) == OK and unit.ExitInitializationMode(run) == OK
+    unit.update(run)
+    assert (motion.regimes[-1] != 0).sum() >= 2
+    assert unit.EnterContinuousTimeMode(run) == OK
+    attitude = [unit.by_reference[k]["name"] for k in unit.states[3:7]]
+    assert_slopes_while_regimes_last(unit, run, attitude, names[:2])
+    unit.FreeInstance(run)
