@@ -9,6 +9,7 @@
 #include "torsor/generator/dynamics/derivatives/motion_changes.hpp"
 #include "torsor/generator/dynamics/derivatives/parameter_sensitivities.hpp"
 #include "torsor/generator/dynamics/forces/contacts.hpp"
+#include "torsor/generator/dynamics/theorems/bearing_reactions.hpp"
 #include "torsor/generator/kernels/kernel_parts.hpp"
 #include "torsor/generator/program/derivative.hpp"
 
@@ -127,6 +128,16 @@ Kernel make_contact_motion_derivatives(const Equations& equations) {
     frictions.push_back(of.friction);
     bounds.push_back(of.bound);
   }
+  Values bearings, bearing_rows;
+  for (const std::vector<BearingReaction>& components : bearing_reactions(equations)) {
+    for (const BearingReaction& component : components) {
+      bearings.push_back(component.without_contacts);
+      bearing_rows.insert(bearing_rows.end(), component.by_reactions.begin(), component.by_reactions.end());
+    }
+  }
+  add_all("bearing", bearings, "R = B a + D lambda + R0 of joints");
+  slopes.add("bearing_rows_by_position", by_position(equations, bearing_rows), "d_i/dq_j of C, row by row");
+  slopes.add("bearing_rows_by_parameter", derivatives_by_parameters(equations, bearing_rows, parameters), "d_i/dp_k");
   slopes.add("friction_by_parameter", derivatives_by_parameters(equations, frictions, parameters), "df_i/dp_k");
   slopes.add("bound_by_parameter", derivatives_by_parameters(equations, bounds, parameters), "db_i/dp_k");
   return slopes.take("Of what the motion fulfils while the regimes of its contacts last, but for J' r. Along an attitude q_j is a\n"

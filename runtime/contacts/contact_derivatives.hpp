@@ -35,7 +35,7 @@ enum class ContactDerivativesStatus { ok, slip_without_direction, several_reacti
     case ContactDerivativesStatus::several_reactions:
       return "accelerations have no derivatives where reactions are not unique";
     case ContactDerivativesStatus::reaction_of_a_joint:
-      return "accelerations have no derivatives while friction in proportion to a joint's reaction slides";
+      return "accelerations have no derivatives where friction in proportion to a joint's reaction has none";
     case ContactDerivativesStatus::singular:
       return "accelerations have no derivatives where the equations of the regimes are singular";
   }
@@ -45,7 +45,8 @@ enum class ContactDerivativesStatus { ok, slip_without_direction, several_reacti
 /// Exact derivatives of the accelerations of a motion with contacts while its regimes last, by states, inputs and parameters.
 /// The motion fulfils M a + h = E u + A^T λ + J^T r, A a + γ = 0 and for each row of J one more equation: its reaction is zero
 /// where a contact is open, J a + drift is zero where it is held, and T = -(f N + b) d where it slides. Changes of (a, λ, r)
-/// solve the same equations, linearised. d turns with the velocity of the slip: δd = (1 - d d^T) δw/|w|.
+/// solve the same equations, linearised. d turns with the velocity of the slip: δd = (1 - d d^T) δw/|w|. Of a joint that rubs in
+/// proportion to its reaction R = B a + C r + D λ + R0, N is |R|, and δ|R| = R/|R| · δR.
 template <HasContactDerivatives M>
 class ContactDerivatives {
  public:
@@ -54,6 +55,14 @@ class ContactDerivatives {
                                inputs = static_cast<std::size_t>(M::input_count),
                                parameters = static_cast<std::size_t>(M::parameter_count),
                                multipliers = static_cast<std::size_t>(M::multiplier_count);
+  /// Components of the reactions of joints.
+  static constexpr std::size_t bearings = [] {
+    std::size_t count = 0;
+    if constexpr (requires { M::contact_bearings; }) {
+      for (const auto each : M::contact_bearings) count += static_cast<std::size_t>(each);
+    }
+    return count;
+  }();
   static constexpr std::size_t held = static_cast<std::size_t>(kept_constraints<M>()), all = freedoms + held + rows;
 
   /// Of the state that the motion was solved for last. After another answer than `ok` there is no `along`.
@@ -66,7 +75,7 @@ class ContactDerivatives {
         continue;
       }
       if (motion.undetermined(i)) return refuse(ContactDerivativesStatus::several_reactions, i);
-      if (motion.rule(i).bearing > 0) return refuse(ContactDerivativesStatus::reaction_of_a_joint, i);
+      if (motion.rule(i).bearing > 0 && !has_reaction(motion, i)) return refuse(ContactDerivativesStatus::reaction_of_a_joint, i);
       if (!motion.turns_with_velocity(i)) return refuse(ContactDerivativesStatus::slip_without_direction, i);
     }
     equate(motion);
@@ -112,13 +121,20 @@ class ContactDerivatives {
       }
       if (is_held_[k]) right[freedoms + held + k] = -accelerations[k];
     }
+    std::array<double, bearings> of_joints{};
+    for (std::size_t k = 0; k < bearings; ++k) {
+      of_joints[k] = sum<freedoms>(bearing_by_position_, bearings, k, dq);
+      if constexpr (bearings > 0) of_joints[k] += sum<freedoms>(of_motion_.bearing_by_velocity, bearings, k, dv);
+      if constexpr (parameters > 0) of_joints[k] += sum<parameters>(bearing_by_parameter_, bearings, k, dp);
+    }
     for (std::size_t i = 0; i < contacts; ++i) {
       const Slip& slip = slips_[i];
       if (!slip.slides) continue;
       double pull = 0;
+      for (std::size_t k = 0; k < slip.bearing; ++k) pull += slip.pull_by_bearing[k] * of_joints[slip.first_bearing + k];
       if constexpr (parameters > 0) {
-        pull = sum<parameters>(of_motion_.friction_by_parameter, contacts, i, dp) * slip.pressing +
-               sum<parameters>(of_motion_.bound_by_parameter, contacts, i, dp);
+        pull += sum<parameters>(of_motion_.friction_by_parameter, contacts, i, dp) * slip.pressing +
+                sum<parameters>(of_motion_.bound_by_parameter, contacts, i, dp);
       }
       double along_slip = 0;
       for (std::size_t k = 0; k < slip.tangents; ++k) along_slip += slip.direction[k] * rates[slip.row + k];
@@ -141,8 +157,10 @@ class ContactDerivatives {
     bool slides = false;
     std::size_t row = 0, tangents = 0;  ///< of its tangents
     std::array<double, 2> direction{};
-    double pressing = 0;         ///< N
+    double pressing = 0;         ///< N, or |R|
     double pull_over_speed = 0;  ///< (f N + b)/w, w the velocity along the direction, which may be opposite to it
+    std::size_t bearing = 0, first_bearing = 0;  ///< components of R
+    std::array<double, 2> pull_by_bearing{};     ///< f R/|R|
   };
 
   static constexpr std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
@@ -168,6 +186,15 @@ class ContactDerivatives {
     double total = 0;
     for (std::size_t j = 0; j < columns; ++j) total += matrix[j * height + i] * change[j];
     return total;
+  }
+
+  /// Whether R is more than rounding of its terms, so that it has a direction.
+  static bool has_reaction(const ContactMotion& motion, int i) noexcept {
+    double terms = 0;
+    for (int k = motion.first_bearing(i); k < motion.first_bearing(i + 1); ++k) {
+      terms += motion.dynamics().S.row(k).cwiseAbs().dot(motion.reactions().cwiseAbs()) + std::abs(motion.dynamics().R_free(k));
+    }
+    return motion.pressing(i) > 1e-12 * terms;
   }
 
   ContactDerivativesStatus refuse(ContactDerivativesStatus status, int contact) noexcept {
@@ -220,10 +247,32 @@ class ContactDerivatives {
     double speed = 0;
     for (std::size_t k = 0; k < tangents; ++k) speed += slip.direction[k] * motion.reading().w(at(tangent + k));
     if (tangents > 1) slip.pull_over_speed = (rule.friction * slip.pressing + rule.bound) / speed;
+    if (rule.bearing > 0) {
+      slip.bearing = as(rule.bearing);
+      slip.first_bearing = as(motion.first_bearing(i));
+      const auto R = motion.bearing(i);
+      for (std::size_t k = 0; k < slip.bearing; ++k) slip.pull_by_bearing[k] = rule.friction * R[k] / slip.pressing;
+      for (std::size_t k = 0; k < tangents; ++k) press_by_joint(motion.reading(), slip, k, entry);
+      return;
+    }
     const std::optional<int> by = motion.carrier(i);
     if (!by || !motion.states[as(*by)].touches) return;
     for (std::size_t k = 0; k < tangents; ++k) {
       entry(first + tangent + k, first + as(motion.first_row(*by))) = rule.friction * slip.direction[k];
+    }
+  }
+
+  /// T + f |R| d = -b d, with |R| = R/|R| · R.
+  template <class Entry>
+  static void press_by_joint(const ContactReading& reading, const Slip& slip, std::size_t tangent, const Entry& entry) noexcept {
+    constexpr std::size_t first = freedoms + held;
+    const std::size_t row = first + slip.row + tangent;
+    for (std::size_t k = 0; k < slip.bearing; ++k) {
+      const double pull = slip.pull_by_bearing[k] * slip.direction[tangent];
+      const Eigen::Index from = at(slip.first_bearing + k);
+      for (std::size_t j = 0; j < freedoms; ++j) entry(row, j) += pull * reading.B(from, at(j));
+      for (std::size_t j = 0; j < held; ++j) entry(row, freedoms + j) += pull * reading.D(from, at(j));
+      for (std::size_t j = 0; j < rows; ++j) entry(row, first + j) += pull * reading.C(from, at(j));
     }
   }
 
@@ -238,9 +287,10 @@ class ContactDerivatives {
     }
     for (std::size_t i = 0; i < contacts; ++i) {
       const Slip& slip = slips_[i];
-      for (std::size_t k = 0; slip.slides && k < slip.tangents; ++k) {
-        right[freedoms + held + slip.row + k] = -motion.rule(static_cast<int>(i)).bound * slip.direction[k];
-      }
+      if (!slip.slides) continue;
+      double pull = motion.rule(static_cast<int>(i)).bound;
+      for (std::size_t k = 0; k < slip.bearing; ++k) pull += slip.pull_by_bearing[k] * reading.R0(at(slip.first_bearing + k));
+      for (std::size_t k = 0; k < slip.tangents; ++k) right[freedoms + held + slip.row + k] = -pull * slip.direction[k];
     }
     for (std::size_t i = 0; i < all; ++i) right[i] *= over_[i];
     equations_.solve(right);
@@ -251,12 +301,20 @@ class ContactDerivatives {
     }
   }
 
-  /// Derivatives of J^T r at fixed reactions: those of its entry i are r · ∂(J e_i).
+  /// Derivatives of J^T r and of C r at fixed reactions: those of entry i of the first are r · ∂(J e_i).
   void add_reactions(const ContactMotion& motion, const typename M::Precomputed& precomputed,
                      const typename M::State& state) noexcept {
     pull_by_position_.fill(0);
     pull_by_parameter_.fill(0);
     const ContactVector& r = motion.reactions();
+    if constexpr (bearings > 0) {
+      bearing_by_position_ = of_motion_.bearing_by_position;
+      add_rows(of_motion_.bearing_rows_by_position, r, freedoms, bearing_by_position_);
+      if constexpr (parameters > 0) {
+        bearing_by_parameter_ = of_motion_.bearing_by_parameter;
+        add_rows(of_motion_.bearing_rows_by_parameter, r, parameters, bearing_by_parameter_);
+      }
+    }
     if (r.isZero(0)) return;
     typename M::Accelerations unit{};
     typename M::ContactRowDerivatives of_rows{};
@@ -273,6 +331,16 @@ class ContactDerivatives {
     }
   }
 
+  /// To each component of R the changes of its row of C, times r.
+  template <class Matrix, class Sum>
+  static void add_rows(const Matrix& of_rows, const ContactVector& r, std::size_t columns, Sum& sum) noexcept {
+    for (std::size_t j = 0; j < columns; ++j) {
+      for (std::size_t i = 0; i < bearings; ++i) {
+        for (std::size_t k = 0; k < rows; ++k) sum[j * bearings + i] += of_rows[(j * bearings + i) * rows + k] * r(at(k));
+      }
+    }
+  }
+
   Equations equations_;
   typename Equations::Vector over_{};  ///< one over the size of each row
   std::array<bool, rows> is_held_{};
@@ -282,6 +350,8 @@ class ContactDerivatives {
   typename M::ContactMotionDerivatives of_motion_{};
   std::array<double, freedoms * freedoms> pull_by_position_{};
   std::array<double, freedoms * parameters> pull_by_parameter_{};
+  std::array<double, bearings * freedoms> bearing_by_position_{};
+  std::array<double, bearings * parameters> bearing_by_parameter_{};
   int contact_ = -1;
 };
 

@@ -329,13 +329,18 @@ double ContactMotion::youth(int i, double t) const noexcept {
   return 1 - std::min(std::abs(turned) / (absolute_ / 128), s / enough);
 }
 
+std::array<double, 2> ContactMotion::bearing(int i) const noexcept {
+  std::array<double, 2> R{};
+  for (int k = first_bearing(i); k < first_bearing(i + 1); ++k) {
+    R[as(k - first_bearing(i))] = dynamics_.S.row(k).dot(r_) + dynamics_.R_free(k);
+  }
+  return R;
+}
+
 double ContactMotion::pressing(int i) const noexcept {
   if (rule(i).bearing > 0) {
-    double length = 0;
-    for (int k = first_bearing(i); k < first_bearing(i + 1); ++k) {
-      length = std::hypot(length, dynamics_.S.row(k).dot(r_) + dynamics_.R_free(k));
-    }
-    return length;
+    const auto R = bearing(i);
+    return std::hypot(R[0], R[1]);
   }
   const std::optional<int> by = carrier(i);
   return by ? r_(first_row(*by)) : 0;

@@ -155,6 +155,8 @@ class ContactMotion {
   /// second order in s would have turned it by more than a hundredth of the method's tolerance since. Falls through zero too
   /// where a slip that had a speed nears its end, or has got one again.
   [[nodiscard]] double youth(int i, double t) const noexcept;
+  /// R of the joint of a contact that has a bearing.
+  [[nodiscard]] std::array<double, 2> bearing(int i) const noexcept;
   /// N that presses a contact, or |R| of its joint.
   [[nodiscard]] double pressing(int i) const noexcept;
   /// f_s N + b_s - |T| of a sticking contact.
