@@ -95,7 +95,7 @@ def test_one_that_cannot_begin_harms_no_other(ball):
 
 def test_a_friction_that_is_no_number_is_no_surface(ball):
     """Not below zero, so that no parameter is refused; the motion says it, and which contact."""
-    floor = scene("worn_floor", "--kernels", "mass_matrix,bias,energy,contacts,contact_coefficients")
+    floor = scene("worn_floor", "--kernels", "mass_matrix,bias,energy,constraints,contacts,contact_coefficients")
     assert floor.simulate([0.1]).q[0, 0] > 0
     with pytest.raises(torsor.TorsorError, match="a contact's rule is impossible|coefficients that no surface has") as raised:
         floor.simulate([0.1], parameters={"wear": 0.0})

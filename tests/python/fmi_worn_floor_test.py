@@ -6,7 +6,8 @@ import re
 import numpy as np
 import pytest
 
-from fmi_importer import CO_SIMULATION, DISCARD, MODEL_EXCHANGE, OK, Unit2, Unit3, doubles
+from fmi_importer import (CO_SIMULATION, DISCARD, MODEL_EXCHANGE, OK, Unit2, Unit3, assert_slopes_by_parameters,
+                          assert_slopes_while_regimes_last, doubles)
 
 
 @pytest.fixture(scope="module", params=(Unit2, Unit3), ids=("2", "3"))
@@ -29,4 +30,14 @@ def test_a_friction_that_is_no_number_ends_the_motion(worn):
     pointer, _ = doubles(np.zeros(worn.n))
     assert worn.get_derivatives(component, pointer) == DISCARD
     assert [bool(re.search(said, text)) for _, text in worn.messages] == [True]
+    worn.FreeInstance(component)
+
+
+def test_accelerations_have_derivatives_where_a_joint_rubs_and_a_loop_is_closed(worn):
+    component = worn.continuous(1e-12)
+    worn.integrated(component, 0.0, 0.1)
+    columns = assert_slopes_while_regimes_last(worn, component)
+    assert np.abs(columns[worn.derivatives.index(worn.reference["der(v.turn)"])]).max() > 1
+    assert worn.EnterEventMode(component) == OK
+    assert_slopes_by_parameters(worn, component)
     worn.FreeInstance(component)
