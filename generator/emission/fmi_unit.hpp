@@ -21,7 +21,7 @@ struct FmiUnit {
 
   const Scene& scene() const { return mechanism.scene(); }
   const std::string& name() const { return scene().name(); }
-  /// Then the contact layer moves it. What changes at events has no derivatives, and contacts share in multipliers.
+  /// Then the contact layer moves it, and contacts share in multipliers.
   bool has_contacts() const { return !scene().content().contacts.empty(); }
   /// Contacts that matrices on the stack of the contact layer have room for: TORSOR_MOST_CONTACTS. Few sizes, so that few
   /// layers are compiled.

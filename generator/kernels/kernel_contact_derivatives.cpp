@@ -140,8 +140,8 @@ Kernel make_contact_motion_derivatives(const Equations& equations) {
   slopes.add("bearing_rows_by_parameter", derivatives_by_parameters(equations, bearing_rows, parameters), "d_i/dp_k");
   slopes.add("friction_by_parameter", derivatives_by_parameters(equations, frictions, parameters), "df_i/dp_k");
   slopes.add("bound_by_parameter", derivatives_by_parameters(equations, bounds, parameters), "db_i/dp_k");
-  return slopes.take("Of what the motion fulfils while the regimes of its contacts last, but for J' r. Along an attitude q_j is a\n"
-                     "turn about its moving axis j.",
+  return slopes.take("Of what the motion fulfils while the regimes of its contacts last, but for J' r. Along an attitude q_j is\n"
+                     "a turn about its moving axis j.",
                      {Argument::accelerations, Argument::multipliers, Argument::inputs});
 }
 

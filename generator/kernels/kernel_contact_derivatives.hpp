@@ -9,8 +9,8 @@
 namespace torsor {
 
 /// At given accelerations, multipliers and inputs the partial derivatives of M a + h − A' λ − E u, of A a + γ and, of the rows
-/// of contacts, of J a + drift and of w; those of f and b, and of the reactions R of joints that rub in proportion to them. Only of
-/// scenes that have contacts.
+/// of contacts, of J a + drift and of w; those of f and b, and of the reactions R of joints that rub in proportion to them.
+/// Only of scenes that have contacts.
 Kernel make_contact_motion_derivatives(const Equations& equations);
 
 /// The partial derivatives of J a at given accelerations. With those of all unit vectors come the ones of J' r: of column i of J

@@ -31,13 +31,13 @@ enum class ContactDerivativesStatus { ok, slip_without_direction, several_reacti
     case ContactDerivativesStatus::ok:
       return "accelerations have derivatives";
     case ContactDerivativesStatus::slip_without_direction:
-      return "accelerations have no derivatives where a slip begins or ends";
+      return "derivatives of accelerations are not given where a slip begins or ends";
     case ContactDerivativesStatus::several_reactions:
-      return "accelerations have no derivatives where reactions are not unique";
+      return "derivatives of accelerations are not given where reactions are not unique";
     case ContactDerivativesStatus::reaction_of_a_joint:
-      return "accelerations have no derivatives where friction in proportion to a joint's reaction has none";
+      return "derivatives of accelerations are not given where friction is in proportion to a joint's reaction, and that is zero";
     case ContactDerivativesStatus::singular:
-      return "accelerations have no derivatives where the equations of the regimes are singular";
+      return "derivatives of accelerations are not given where the equations of the regimes are singular";
   }
   return "unknown status";
 }
@@ -75,7 +75,9 @@ class ContactDerivatives {
         continue;
       }
       if (motion.undetermined(i)) return refuse(ContactDerivativesStatus::several_reactions, i);
-      if (motion.rule(i).bearing > 0 && !has_reaction(motion, i)) return refuse(ContactDerivativesStatus::reaction_of_a_joint, i);
+      if (motion.rule(i).bearing > 0 && !has_reaction(motion, i)) {
+        return refuse(ContactDerivativesStatus::reaction_of_a_joint, i);
+      }
       if (!motion.turns_with_velocity(i)) return refuse(ContactDerivativesStatus::slip_without_direction, i);
     }
     equate(motion);
@@ -94,7 +96,8 @@ class ContactDerivatives {
     typename Equations::Vector right{};
     std::array<double, rows> rates{}, accelerations{};
     for (std::size_t i = 0; i < freedoms; ++i) {
-      right[i] = -sum<freedoms>(of_motion_.residual_by_position, freedoms, i, dq) + sum<freedoms>(pull_by_position_, freedoms, i, dq);
+      right[i] = sum<freedoms>(pull_by_position_, freedoms, i, dq);
+      right[i] -= sum<freedoms>(of_motion_.residual_by_position, freedoms, i, dq);
       right[i] -= sum<freedoms>(of_motion_.residual_by_velocity, freedoms, i, dv);
       if constexpr (inputs > 0) right[i] -= sum<inputs>(of_motion_.residual_by_input, freedoms, i, du);
       if constexpr (parameters > 0) {
@@ -113,8 +116,10 @@ class ContactDerivatives {
       }
     }
     for (std::size_t k = 0; k < rows; ++k) {
-      accelerations[k] = sum<freedoms>(of_motion_.row_by_position, rows, k, dq) + sum<freedoms>(of_motion_.row_by_velocity, rows, k, dv);
-      rates[k] = sum<freedoms>(of_motion_.rate_by_position, rows, k, dq) + sum<freedoms>(of_motion_.rate_by_velocity, rows, k, dv);
+      accelerations[k] = sum<freedoms>(of_motion_.row_by_position, rows, k, dq);
+      accelerations[k] += sum<freedoms>(of_motion_.row_by_velocity, rows, k, dv);
+      rates[k] = sum<freedoms>(of_motion_.rate_by_position, rows, k, dq);
+      rates[k] += sum<freedoms>(of_motion_.rate_by_velocity, rows, k, dv);
       if constexpr (parameters > 0) {
         accelerations[k] += sum<parameters>(of_motion_.row_by_parameter, rows, k, dp);
         rates[k] += sum<parameters>(of_motion_.rate_by_parameter, rows, k, dp);
@@ -243,7 +248,8 @@ class ContactDerivatives {
     for (std::size_t k = tangent; k < tangent + tangents; ++k) sticks ? hold(k) : leave(k);
     if (!slides(motion, i)) return;
     Slip& slip = slips_[as(i)];
-    slip = {.slides = true, .row = tangent, .tangents = tangents, .direction = motion.direction(i), .pressing = motion.pressing(i)};
+    slip = {.slides = true, .row = tangent, .tangents = tangents, .direction = motion.direction(i)};
+    slip.pressing = motion.pressing(i);
     double speed = 0;
     for (std::size_t k = 0; k < tangents; ++k) speed += slip.direction[k] * motion.reading().w(at(tangent + k));
     if (tangents > 1) slip.pull_over_speed = (rule.friction * slip.pressing + rule.bound) / speed;
@@ -317,15 +323,18 @@ class ContactDerivatives {
     }
     if (r.isZero(0)) return;
     typename M::Accelerations unit{};
-    typename M::ContactRowDerivatives of_rows{};
     for (std::size_t i = 0; i < freedoms; ++i) {
       unit[static_cast<int>(i)] = 1;
-      M::contact_row_derivatives(precomputed, state, unit, of_rows);
+      M::contact_row_derivatives(precomputed, state, unit, of_rows_);
       unit[static_cast<int>(i)] = 0;
       for (std::size_t k = 0; k < rows; ++k) {
-        for (std::size_t j = 0; j < freedoms; ++j) pull_by_position_[j * freedoms + i] += r(at(k)) * of_rows.by_position[j * rows + k];
+        for (std::size_t j = 0; j < freedoms; ++j) {
+          pull_by_position_[j * freedoms + i] += r(at(k)) * of_rows_.by_position[j * rows + k];
+        }
         if constexpr (parameters > 0) {
-          for (std::size_t j = 0; j < parameters; ++j) pull_by_parameter_[j * freedoms + i] += r(at(k)) * of_rows.by_parameter[j * rows + k];
+          for (std::size_t j = 0; j < parameters; ++j) {
+            pull_by_parameter_[j * freedoms + i] += r(at(k)) * of_rows_.by_parameter[j * rows + k];
+          }
         }
       }
     }
@@ -348,6 +357,7 @@ class ContactDerivatives {
   typename M::Accelerations a_{};
   typename M::Multipliers lambda_{};
   typename M::ContactMotionDerivatives of_motion_{};
+  typename M::ContactRowDerivatives of_rows_{};
   std::array<double, freedoms * freedoms> pull_by_position_{};
   std::array<double, freedoms * parameters> pull_by_parameter_{};
   std::array<double, bearings * freedoms> bearing_by_position_{};

@@ -182,8 +182,21 @@ def test_a_slip_without_a_direction_has_no_derivatives(unit):
     unit.messages.clear()
     assert unit.directional(component, ["der(v.x)"], ["v.x"], [1.0], doubles(np.zeros(1))[0]) == DISCARD
     (_, said), = unit.messages
-    assert said.endswith(b": accelerations have no derivatives where a slip begins or ends; contact 'cloth'")
+    assert said.endswith(b": derivatives of accelerations are not given where a slip begins or ends; contact 'cloth'")
     assert unit.directional(component, ["der(q.x)"], ["v.x"], [1.0], doubles(np.zeros(1))[0]) == OK
+    unit.FreeInstance(component)
+
+
+def test_a_state_that_an_event_changes_first_has_no_derivatives(unit):
+    """A ball that strikes while it is initialised: what it does then depends on the state before through the impact."""
+    component = unit.instantiate(CO_SIMULATION)
+    assert unit.initialise(component, 0.0, 1e-12) == OK and unit.set(component, ["v.z"], [-1.0]) == OK
+    unit.messages.clear()
+    assert unit.directional(component, ["der(v.x)"], ["v.x"], [1.0], doubles(np.zeros(1))[0]) == DISCARD
+    (_, said), = unit.messages
+    assert said.endswith(b"derivatives of accelerations are not given where an event changes the state before it moves")
+    assert unit.ExitInitializationMode(component) == OK and unit.step(component, 0.0, 0.1) == OK
+    assert unit.directional(component, ["der(v.x)"], ["v.x"], [1.0], doubles(np.zeros(1))[0]) == OK
     unit.FreeInstance(component)
 
 

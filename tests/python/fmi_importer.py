@@ -166,7 +166,7 @@ def assert_slopes_by_parameters(unit, component):
 
 def assert_slopes_while_regimes_last(unit, component, attitude=(), known=()):
     """Of all derivatives of states, by states and by others that can be set, as an importer of model exchange sees them change.
-    `attitude` are the states of quaternions, four of each, which change along unit ones alone. Returns them, a column for each."""
+    `attitude` are the states of quaternions, four of each, which change along unit ones alone. Gives a column for each known."""
     begin, count = unit.state(component), len(known)
     given, names = unit.get(component, list(known)), [unit.by_reference[k]["name"] for k in unit.states] + list(known)
     turns = [[names.index(name) for name in attitude[k:k + 4]] for k in range(0, len(attitude), 4)]
