@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Counts what a unit with contacts allocates in its steps, events among them: a ball that bounces between stops, slides and rolls.
+/* Counts what a unit with contacts allocates in its steps, events and derivatives among them: a ball that bounces between stops,
+ * slides and rolls.
  *   cc -DUNIT='"NAME_fmi3.c"' -DCALLS='"calls3.h"' -DTOKEN='"{...}"' contact_allocations.c, linked with the contact layer */
 #include UNIT
 #include <stdio.h>
@@ -35,6 +36,7 @@ static int completed(void* c) {
 #define DERIVATIVES fmi3GetContinuousStateDerivatives
 #define SET(c, vr, x) fmi3SetFloat64(c, vr, 1, x, 1)
 #define GET(c, vr, x) fmi3GetFloat64(c, vr, 1, x, 1)
+#define SLOPE(c, of, by, seed, x) fmi3GetDirectionalDerivative(c, of, 1, by, 1, seed, 1, x, 1)
 #else
 static void* made(int exchange) {
   static const fmi2CallbackFunctions none;
@@ -56,6 +58,7 @@ static int completed(void* c) {
 #define DERIVATIVES fmi2GetDerivatives
 #define SET(c, vr, x) fmi2SetReal(c, vr, 1, x)
 #define GET(c, vr, x) fmi2GetReal(c, vr, 1, x)
+#define SLOPE(c, of, by, seed, x) fmi2GetDirectionalDerivative(c, of, 1, by, 1, seed, x)
 #endif
 
 /* Inputs that push it to and fro, and parameters that change on the way. */
@@ -67,7 +70,8 @@ static int pushed(void* c, int k) {
 
 /* Euler's steps suffice here: who integrates is the importer. */
 static int exchanged(void* c, int k, int* events) {
-  const unsigned energy = torsor_first_energy;
+  const unsigned energy = torsor_first_energy, acceleration = torsor_first_derivative + NQ, velocity = NQ;
+  const double one = 1.0;
   double y[NX], slope[NX], z[NI], value;
   int i, j, fallen = 0;
   if (CALL(EnterEventMode)(c) || pushed(c, k) || updated(c) || CALL(EnterContinuousTimeMode)(c)) return 1;
@@ -75,6 +79,7 @@ static int exchanged(void* c, int k, int* events) {
     if (CALL(SetTime)(c, 0.05 * k + 1e-3 * j) || CALL(GetContinuousStates)(c, y, NX) || DERIVATIVES(c, slope, NX)) return 1;
     for (i = 0; i < NX; ++i) y[i] += 1e-3 * slope[i];
     if (CALL(SetContinuousStates)(c, y, NX) || CALL(GetEventIndicators)(c, z, NI) || GET(c, &energy, &value)) return 1;
+    if (SLOPE(c, &acceleration, &velocity, &one, &value)) return 1;
     for (i = 0, fallen = 0; i < NI; ++i) fallen |= z[i] <= 0.0;
     if (fallen && (CALL(EnterEventMode)(c) || updated(c) || CALL(EnterContinuousTimeMode)(c))) return 1;
     if (!fallen && completed(c)) return 1;
