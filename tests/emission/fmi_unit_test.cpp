@@ -80,7 +80,8 @@ TEST(FmiUnit, HasTheKernelsThatItsOutputsNeedAndNoOthers) {
                    "energy_derivatives", "run_time_sizes"}));  // the mass is not below zero
   EXPECT_EQ(kernels(lower_unit(block_on_rail(true), FmiVersion::two, {{}, {"block"}, {}})),
             (Names{"forward_dynamics", "energy", "mass_matrix", "bias", "contacts", "contact_coefficients",
-                   "output_places", "energy_derivatives", "output_place_derivatives"}));
+                   "output_places", "energy_derivatives", "output_place_derivatives", "contact_motion_derivatives",
+                   "contact_row_derivatives"}));
 }
 
 TEST(FmiUnit, NamesAreFlatWhereTheyAreNoStructuredOnes) {
