@@ -11,6 +11,7 @@
 #include "torsor/generator/dynamics/forces/bearing_loads.hpp"
 #include "torsor/generator/dynamics/forces/contacts.hpp"
 #include "torsor/generator/dynamics/theorems/newton_euler.hpp"
+#include "torsor/generator/dynamics/theorems/placeless_loads.hpp"
 #include "torsor/generator/program/derivative.hpp"
 #include "torsor/generator/program/identically_zero.hpp"
 
@@ -122,9 +123,12 @@ class Reactions {
 std::vector<std::vector<BearingReaction>> bearing_reactions(const Equations& equations) {
   const std::vector<ContactRows> contacts = contact_rows(equations.model());
   std::vector<std::vector<BearingReaction>> all(contacts.size());
+  std::optional<PlacelessLoads> placeless;
   std::optional<Reactions> reactions;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     if (!contacts[k].joint) continue;
+    if (!placeless) placeless.emplace(equations, contacts);
+    placeless->refuse(contacts[k]);
     if (!reactions) reactions.emplace(equations);
     all[k] = reactions->of(contacts[k]);
   }

@@ -20,7 +20,8 @@ struct BearingReaction {
 
 /// Of each contact that is friction in proportion to a joint's reaction, the components of that: two, or one where the other
 /// vanishes identically, as in a plane mechanism. None of other contacts. What works on a formula (motors, stops, dry
-/// friction) acts in the joints and is no force on the bodies. Throws SceneError where a joint transmits nothing.
+/// friction) acts in the joints and is no force on the bodies. Throws SceneError where a joint transmits nothing, and where
+/// a formula may load it (PlacelessLoads).
 /// Source: Newton's theorem for all that the joint carries (Pommier, Dynamique des systèmes de solides, §6.3).
 std::vector<std::vector<BearingReaction>> bearing_reactions(const Equations& equations);
 
