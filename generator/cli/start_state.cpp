@@ -13,6 +13,7 @@
 
 #include "torsor/generator/base/decimal.hpp"
 #include "torsor/generator/base/error.hpp"
+#include "torsor/generator/cli/nearest_state.hpp"
 #include "torsor/generator/dynamics/equations/validation.hpp"
 #include "torsor/generator/mechanics/parameter_value.hpp"
 
@@ -94,15 +95,45 @@ Scene with_start(Scene scene, const NamedNumbers& values) {
   return scene;
 }
 
-std::vector<double> closed_start(EvaluatedMotion& motion, const NamedNumbers& replaced) {
+namespace {
+
+/// Newton's method from the start, and where that leads far, or nowhere, a search for what is nearest.
+bool settle_near(EvaluatedMotion& motion, std::vector<double>& y, const EvaluatedMotion::Kept& kept, double far) {
+  const std::vector<double> given = y;
+  NearestState nearest(motion, given);
+  std::vector<double> newton = given;
+  const bool closes = motion.settle(0.0, newton, kept);
+  if (closes && nearest.distance(newton) <= far) {
+    y = std::move(newton);
+    return true;
+  }
+  const auto found = nearest.find(kept.positions);
+  if (found) {
+    y = *found;
+    std::copy(given.begin() + static_cast<std::ptrdiff_t>(motion.position_count()), given.end(),
+              y.begin() + static_cast<std::ptrdiff_t>(motion.position_count()));
+    if (motion.settle(0.0, y, kept) && (!closes || nearest.distance(y) < nearest.distance(newton))) return true;
+  }
+  if (closes) y = std::move(newton);
+  return closes;
+}
+
+/// The same with what is given kept where the others can close the constraints.
+std::vector<double> closed_within(EvaluatedMotion& motion, const NamedNumbers& replaced, double far) {
   const std::vector<double> given = motion.start(replaced);
   std::vector<double> y = given;
-  if (!motion.needs_settling() || motion.settle(0.0, y, kept_of(motion, replaced))) return y;
+  if (!motion.needs_settling() || settle_near(motion, y, kept_of(motion, replaced), far)) return y;
   y = given;
-  if (motion.settle(0.0, y)) return y;  // what is given does not fit together by itself: it gives way as well
+  if (settle_near(motion, y, {}, far)) return y;  // what is given does not fit together by itself: it gives way as well
   throw Error(fmt::format("the constraints of '{}' cannot be closed near the start: {} there, and Newton's method finds no state "
                           "nearby that closes all of them; give other values by --initial",
                           motion.equations().scene().name(), motion.most_open(0.0, given)));
+}
+
+}  // namespace
+
+std::vector<double> closed_start(EvaluatedMotion& motion, const NamedNumbers& replaced) {
+  return closed_within(motion, replaced, 0.5);  // what is so near is taken in the metric of the masses, as projections are
 }
 
 NamedNumbers with_defaults(const Scene& scene, NamedNumbers given) {
@@ -166,7 +197,7 @@ std::string nearest_closed_start(const Scene& scene, bool for_command_line) {
   try {
     EvaluatedMotion motion(scene, {}, {}, {});
     const std::vector<double> given = motion.start({});
-    const std::vector<double> closed = closed_start(motion, given_by_scene(motion, given));
+    const std::vector<double> closed = closed_within(motion, given_by_scene(motion, given), 0);
     validate(with_start(scene, numbers_of(motion, closed)));  // a contact may be in the way
     NamedNumbers changed;
     for (std::size_t i = 0; i < given.size(); ++i) {
