@@ -33,7 +33,7 @@ Scene with_closed_start(const Scene& scene, const GivenStart& start);
 /// others can close the constraints. Throws Error naming the constraint that stays open, and UsageError for an unknown name.
 std::vector<double> closed_start(EvaluatedMotion& motion, const NamedNumbers& replaced);
 
-/// A state that fulfils the constraints and contacts of a scene whose start does not, found from there by Newton's method, in
+/// The state nearest to the start (NearestState) that fulfils the constraints and contacts of a scene whose start does not, in
 /// words that can be pasted: into the scene, or behind --initial. Empty where none is found.
 std::string nearest_closed_start(const Scene& scene, bool for_command_line);
 
