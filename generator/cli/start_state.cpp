@@ -133,7 +133,7 @@ std::vector<double> closed_within(EvaluatedMotion& motion, const NamedNumbers& r
 }  // namespace
 
 std::vector<double> closed_start(EvaluatedMotion& motion, const NamedNumbers& replaced) {
-  return closed_within(motion, replaced, 0.5);  // what is so near is taken in the metric of the masses, as projections are
+  return closed_within(motion, replaced, 1.5);  // nearer than a quarter of a turn the metric is that of projections
 }
 
 NamedNumbers with_defaults(const Scene& scene, NamedNumbers given) {

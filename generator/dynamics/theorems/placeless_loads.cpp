@@ -213,10 +213,8 @@ void PlacelessLoads::refuse(const ContactRows& friction) const {
     for (std::size_t state = 0; state < formula.rows.size(); ++state) {
       if (formula.rows[state].empty() || !may_load(of_joint, state, formula.rows[state])) continue;
       throw SceneError(fmt::format(
-          "the friction '{}' is in proportion to what its joint transmits across its axis, and how much of that the {} "
-          "adds is not "
-          "said: a formula that ties joints has no place in space; give a rope or a gear by no_slip, a loop by "
-          "closure, a spring "
+          "the friction '{}' is in proportion to what its joint transmits across its axis, and how much of that the {} adds is not "
+          "said: a formula that ties joints has no place in space; give a rope or a gear by no_slip, a loop by closure, a spring "
           "or a force between points, the reaction of a constraint by reaction, or the bound of a dry_friction",
           friction.name, formula.name));
     }
@@ -238,13 +236,11 @@ void PlacelessLoads::refuse_shared_coordinates(const ContactRows& friction) cons
     all.insert(all.end(), rows.begin(), rows.end());
   }
   if (rank_of(all) == apart) return;
-  throw SceneError(
-      fmt::format("the friction '{}' is in proportion to what its joint transmits across its axis, and one coordinate "
-                  "moves that joint "
-                  "together with others: what ties them has no place in space, and how much of that it adds is not "
-                  "said; give each joint a "
-                  "coordinate of its own and tie them by no_slip or closure, or give the bound of a dry_friction",
-                  friction.name));
+  throw SceneError(fmt::format(
+      "the friction '{}' is in proportion to what its joint transmits across its axis, and one coordinate moves that joint "
+      "together with others: what ties them has no place in space, and how much of that it adds is not said; give each joint a "
+      "coordinate of its own and tie them by no_slip or closure, or give the bound of a dry_friction",
+      friction.name));
 }
 
 }  // namespace torsor
