@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
+#include "torsor/generator/base/linear_algebra/real_rows.hpp"
 #include "torsor/generator/dynamics/equations/equations.hpp"
 #include "torsor/generator/dynamics/forces/contacts.hpp"
 
