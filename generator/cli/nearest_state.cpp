@@ -121,14 +121,11 @@ void NearestState::measure() {
   }
   const auto unit_of = [&](const Row& row) { return motion_.constraint(row.constraint).value.unit(); };
   for (const Row& row : all) {
-    // What holds in any case is rounding in double, beside the others of its unit.
-    const bool counts = std::any_of(all.begin(), all.end(), [&](const Row& other) {
-      return unit_of(other) == unit_of(row) && row.size > 1e-12 * other.size && row.size > 0;
-    });
-    const bool rounding = std::any_of(all.begin(), all.end(), [&](const Row& other) {
+    // What holds in any case is zero, or rounding in double beside the others of its unit.
+    const bool counts = row.size > 0 && std::none_of(all.begin(), all.end(), [&](const Row& other) {
       return unit_of(other) == unit_of(row) && row.size < 1e-12 * other.size;
     });
-    if (counts && !rounding) rows_.push_back(row);
+    if (counts) rows_.push_back(row);
   }
 }
 

@@ -97,6 +97,11 @@ Scene with_start(Scene scene, const NamedNumbers& values) {
 
 namespace {
 
+/// How far from the start, in the metric of NearestState, a state may be that Newton's method finds without a search for a
+/// nearer one. What is proposed is searched for in any case. What a command starts from is left to Newton's method within
+/// about a quarter of a turn: its steps lead there to the branch on which the start was meant, mostly.
+constexpr double none_is_near = 0, quarter_of_a_turn = 1.5;
+
 /// Newton's method from the start, and where that leads far, or nowhere, a search for what is nearest.
 bool settle_near(EvaluatedMotion& motion, std::vector<double>& y, const EvaluatedMotion::Kept& kept, double far) {
   const std::vector<double> given = y;
@@ -125,15 +130,15 @@ std::vector<double> closed_within(EvaluatedMotion& motion, const NamedNumbers& r
   if (!motion.needs_settling() || settle_near(motion, y, kept_of(motion, replaced), far)) return y;
   y = given;
   if (settle_near(motion, y, {}, far)) return y;  // what is given does not fit together by itself: it gives way as well
-  throw Error(fmt::format("the constraints of '{}' cannot be closed near the start: {} there, and Newton's method finds no state "
-                          "nearby that closes all of them; give other values by --initial",
+  throw Error(fmt::format("the constraints of '{}' cannot be closed near the start: {} there, and no search finds a state nearby "
+                          "that closes all of them; give other values by --initial",
                           motion.equations().scene().name(), motion.most_open(0.0, given)));
 }
 
 }  // namespace
 
 std::vector<double> closed_start(EvaluatedMotion& motion, const NamedNumbers& replaced) {
-  return closed_within(motion, replaced, 1.5);  // nearer than a quarter of a turn the metric is that of projections
+  return closed_within(motion, replaced, quarter_of_a_turn);
 }
 
 NamedNumbers with_defaults(const Scene& scene, NamedNumbers given) {
@@ -197,7 +202,7 @@ std::string nearest_closed_start(const Scene& scene, bool for_command_line) {
   try {
     EvaluatedMotion motion(scene, {}, {}, {});
     const std::vector<double> given = motion.start({});
-    const std::vector<double> closed = closed_within(motion, given_by_scene(motion, given), 0);
+    const std::vector<double> closed = closed_within(motion, given_by_scene(motion, given), none_is_near);
     validate(with_start(scene, numbers_of(motion, closed)));  // a contact may be in the way
     NamedNumbers changed;
     for (std::size_t i = 0; i < given.size(); ++i) {

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "torsor/generator/cli/nearest_state.hpp"
@@ -33,7 +34,8 @@ Scene four_bar(const Angles& start) {
     scene.body("rod" + std::to_string(frame.index), frame, Inertia::rod(Expression::quantity("1", "kg"), metres("1"), 0));
   }
   const Rotation up = Rotation::about(1, -6);
-  const FrameHandle end = scene.weld("end", second, {{metres("1.2"), 0, 0}, up}), pin = scene.weld("pin", third, {{metres("0.8"), 0, 0}, up});
+  const FrameHandle end = scene.weld("end", second, {{metres("1.2"), 0, 0}, up}),
+                    pin = scene.weld("pin", third, {{metres("0.8"), 0, 0}, up});
   scene.loop_joint("loop", {.type = JointType::revolute, .a = end, .b = pin});
   const auto number = [](double value) { return Expression(Number::rational(static_cast<int>(std::lround(10 * value)), 10)); };
   scene.initial(a, number(start[0]));
@@ -53,7 +55,8 @@ double nearest_turn(double angle, double to) {
   return angle - 2 * std::numbers::pi * std::round((angle - to) / (2 * std::numbers::pi));
 }
 
-/// The least distance of a closed state: crank by crank angle in steps of 1e-4 rad, both sides of the triangle of coupler and rocker.
+/// The least distance of a closed state: crank by crank angle in steps of 1e-4 rad, both sides of the triangle of coupler and
+/// rocker.
 double least_distance(const Angles& start) {
   double least = 1e300;
   for (double a = start[0] - std::numbers::pi; a < start[0] + std::numbers::pi; a += 1e-4) {
@@ -71,7 +74,8 @@ double least_distance(const Angles& start) {
 
 // Newton's method alone went 4.9 rad from the first, where 1.3 rad are enough, and found nothing from the fourth.
 TEST(NearestState, IsWhatIsProposedForALoop) {
-  for (const Angles& start : std::vector<Angles>{{0, 0, 0}, {0, 0.3, -1.5}, {-1, 0.5, -2}, {1, 1, 1}, {2, -1, 0.5}, {-1.5, 1.2, -1.9}}) {
+  for (const Angles& start : std::vector<Angles>{
+           {0, 0, 0}, {0, 0.3, -1.5}, {-1, 0.5, -2}, {1, 1, 1}, {2, -1, 0.5}, {-1.5, 1.2, -1.9}}) {
     SCOPED_TRACE(testing::Message() << start[0] << ", " << start[1] << ", " << start[2]);
     const std::string words = nearest_closed_start(four_bar(start), true);
     Angles found = start;
@@ -86,6 +90,43 @@ TEST(NearestState, IsWhatIsProposedForALoop) {
     EXPECT_NEAR(open[1], 0, 1e-13);
     EXPECT_LT(distance(found, start), least_distance(start) + 1e-3);  // the steps of the crank leave 1e-4
   }
+}
+
+/// A crank of 0.5 units of length, a rod of 1.2 on it, and a slider along the ground's x axis that the rod's end is to meet.
+Scene slider_crank(const Expression& unit) {
+  Scene scene("slider_crank", "");
+  const auto lengths = [&](const char* number) { return Expression::quantity(number) * unit; };
+  const Expression a = scene.coordinate("a", "rad"), b = scene.coordinate("b", "rad"), x = scene.coordinate("x", "m");
+  const FrameHandle first = scene.revolute("first", scene.ground(), axis::z, a);
+  const FrameHandle second = scene.revolute("second", first, axis::z, b, {.origin = {lengths("0.5"), 0, 0}});
+  const FrameHandle slider = scene.prismatic("slider", scene.ground(), axis::x, x);
+  for (const FrameHandle& frame : {first, second, slider}) {
+    scene.body("body" + std::to_string(frame.index), frame,
+               Inertia::rod(Expression::quantity("1", "kg"), lengths("1"), 0));
+  }
+  const PointHandle end = scene.point("end", second, {lengths("1.2"), 0, 0}), pin = scene.point("pin", slider, {0, 0, 0});
+  scene.closure("along", pin, end, axis::x);
+  scene.closure("across", pin, end, axis::y);
+  scene.initial(a, Expression(Number::rational(9, 10)));
+  scene.initial(b, Expression(Number::rational(-1, 2)));
+  scene.initial(x, lengths("0.4"));
+  return scene;
+}
+
+// Lengths count in parts of the mechanism: what is nearest does not depend on its size.
+TEST(NearestState, IsTheSameForAMechanismOfAnySize) {
+  std::vector<Angles> found;  // x in units
+  for (const auto& [unit, size] : {std::pair{"0.001", 1e-3}, std::pair{"1", 1.0}, std::pair{"1000", 1e3}}) {
+    EvaluatedMotion motion(slider_crank(Expression::quantity(unit, "m")), {}, {}, {});
+    NearestState nearest(motion, motion.start({}));
+    const auto state = nearest.find({});
+    ASSERT_TRUE(state.has_value()) << unit;
+    const Angles q{(*state)[0], (*state)[1], (*state)[2] / size};
+    EXPECT_NEAR(crank * std::cos(q[0]) + coupler * std::cos(q[0] + q[1]), q[2], 1e-9) << unit;
+    EXPECT_NEAR(crank * std::sin(q[0]) + coupler * std::sin(q[0] + q[1]), 0, 1e-9) << unit;
+    found.push_back(q);
+  }
+  for (const Angles& q : found) EXPECT_LT(distance(q, found.front()), 1e-6);
 }
 
 // A ball joint holds a rod whose end is to be on the ground's x axis at 0.6 and z = 0.8: the shortest turn is about y.
