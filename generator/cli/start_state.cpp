@@ -218,7 +218,8 @@ std::string nearest_closed_start(const Scene& scene, bool for_command_line) {
     for (const CoordinateContent& c : content.coordinates) {
       if (!c.unknown() || c.attitude || !any_given(changed, {c.q, c.v})) continue;
       const double rate = all.at(c.v->name);
-      words.push_back(fmt::format("initial({}, {}{})", c.q->name, shortest(all.at(c.q->name)), rate == 0 ? "" : ", " + shortest(rate)));
+      words.push_back(fmt::format("initial({}, {}{})", c.q->name, shortest(all.at(c.q->name)),
+                                  rate == 0 ? "" : ", " + shortest(rate)));
     }
     for (std::size_t a = 0; a < content.attitudes.size(); ++a) {
       std::vector<SymbolPointer> symbols(content.attitudes[a].symbols->e.begin(), content.attitudes[a].symbols->e.end());
@@ -288,8 +289,8 @@ std::vector<std::string> left_out_that_count(EvaluatedMotion& motion, double t, 
 std::string near_change_point(EvaluatedMotion& motion, double t, const std::vector<double>& y) {
   if (!(motion.independence(t, y) < change_point_is_near)) return {};
   if (const std::vector<std::string> left_out = left_out_that_count(motion, t, y); !left_out.empty()) {
-    return fmt::format(": the constraints that are kept nearly lose rank there, and all together do not: what repeats others near "
-                       "the start and is left out ({}) counts there. It is no change point; close the loop at another joint",
+    return fmt::format(": the constraints that are kept nearly lose rank there, and all together do not: what repeats others "
+                       "near the start and is left out ({}) counts there. It is no change point; close the loop at another joint",
                        fmt::join(left_out, ", "));
   }
   return ": the constraints nearly lose rank there, a change point, which this command does not pass. The motion of a compiled "
