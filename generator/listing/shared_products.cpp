@@ -12,6 +12,7 @@
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/listing/earliest_start.hpp"
 #include "torsor/generator/listing/factor_pair.hpp"
+#include "torsor/generator/program/division_by_zero.hpp"
 #include "torsor/generator/program/formula.hpp"
 #include "torsor/generator/program/sum_table.hpp"
 
@@ -199,7 +200,7 @@ class ProductSharing {
       for (const Factor& factor : term.monomial) {
         const Polynomial& now = define(factor.value_number).polynomial();
         // What turned out to be equal may have cancelled: nothing is left, or a number.
-        if (now.is_zero() && factor.exponent < 0) throw Error("division by zero: a denominator vanishes identically");
+        if (now.is_zero() && factor.exponent < 0) throw DivisionByZero();
         const Term only = now.is_zero() ? Term{{}, Number()} : now.terms()[0];
         product.monomial = product.monomial * pow(only.monomial, factor.exponent);
         product.coefficient = product.coefficient * only.coefficient.pow(factor.exponent);

@@ -9,6 +9,7 @@
 #include <cln/rational.h>
 
 #include "torsor/generator/base/error.hpp"
+#include "torsor/generator/program/division_by_zero.hpp"
 
 namespace torsor::printing {
 namespace {
@@ -280,7 +281,7 @@ Sum operator*(const Sum& a, const Sum& b) {
 Sum power(const Sum& sum, int halves) {
   if (halves == 0) return Sum(Number(1));
   if (sum.is_zero()) {
-    if (halves < 0) throw Error("division by zero: a denominator of a printed equation vanishes identically");
+    if (halves < 0) throw DivisionByZero();
     return sum;
   }
   if (sum.size() == 1) return power_of_term(sum.terms().begin()->first, sum.terms().begin()->second, halves);

@@ -23,7 +23,7 @@ std::optional<T>& slot(std::vector<std::optional<T>>& table, ValueNumber value_n
   return table[index];
 }
 
-// Functions that GiNaC lacks, or has with simplifications of its own: it only differentiates these.
+// Functions that GiNaC lacks, or has with simplifications of its own: it differentiates these, and knows some of numbers.
 DECLARE_FUNCTION_1P(absolute)
 DECLARE_FUNCTION_1P(sign_of)
 DECLARE_FUNCTION_2P(larger_of)
@@ -44,19 +44,29 @@ GiNaC::ex slope_of_choice(const GiNaC::ex& condition, const GiNaC::ex&, const Gi
   return one_of(condition, by == 1 ? 1 : 0, by == 1 ? 0 : 1);
 }
 
-// Of numbers, which arise where a state is put in.
+// Of numbers, which arise where a state is put in. Where two forms meet they stand as they are, so that a reader sees it.
+bool is_number(const GiNaC::ex& x) { return GiNaC::is_a<GiNaC::numeric>(x); }
+bool tells(const GiNaC::ex& condition) { return is_number(condition) && !condition.is_zero(); }
 GiNaC::ex known_absolute(const GiNaC::ex& x) {
-  return GiNaC::is_a<GiNaC::numeric>(x) ? GiNaC::ex(GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(x))) : absolute(x).hold();
+  return is_number(x) ? GiNaC::ex(GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(x))) : absolute(x).hold();
 }
 GiNaC::ex known_sign(const GiNaC::ex& x) {
-  return GiNaC::is_a<GiNaC::numeric>(x) ? GiNaC::ex(GiNaC::ex_to<GiNaC::numeric>(x).csgn()) : sign_of(x).hold();
+  return tells(x) ? GiNaC::ex(GiNaC::ex_to<GiNaC::numeric>(x).csgn()) : sign_of(x).hold();
+}
+GiNaC::ex known_larger(const GiNaC::ex& a, const GiNaC::ex& b) {
+  if (!tells(a - b)) return larger_of(a, b).hold();
+  return GiNaC::ex_to<GiNaC::numeric>(a - b).is_positive() ? a : b;
+}
+GiNaC::ex known_choice(const GiNaC::ex& condition, const GiNaC::ex& a, const GiNaC::ex& b) {
+  if (!tells(condition)) return one_of(condition, a, b).hold();
+  return GiNaC::ex_to<GiNaC::numeric>(condition).is_positive() ? a : b;
 }
 
 REGISTER_FUNCTION(absolute, eval_func(known_absolute).derivative_func(slope_of_absolute))
 REGISTER_FUNCTION(sign_of, eval_func(known_sign).derivative_func(slope_of_sign))
-REGISTER_FUNCTION(larger_of, derivative_func(slope_of_larger))
+REGISTER_FUNCTION(larger_of, eval_func(known_larger).derivative_func(slope_of_larger))
 REGISTER_FUNCTION(angle_of, derivative_func(slope_of_angle))
-REGISTER_FUNCTION(one_of, derivative_func(slope_of_choice))
+REGISTER_FUNCTION(one_of, eval_func(known_choice).derivative_func(slope_of_choice))
 
 cln::cl_RA rational(const GiNaC::numeric& number) { return cln::the<cln::cl_RA>(number.to_cl_N()); }
 

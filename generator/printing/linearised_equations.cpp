@@ -6,6 +6,7 @@
 #include "torsor/generator/base/did_you_mean.hpp"
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/printing/formula_text.hpp"
+#include "torsor/generator/program/division_by_zero.hpp"
 
 namespace torsor::printing {
 namespace {
@@ -61,7 +62,9 @@ StateValues named_state(const Scene& scene, const About& about) {
   return state;
 }
 
-LinearisedEquations linearised(LagrangeEquations& equations, const Scene& scene, const About& about) {
+namespace {
+
+LinearisedEquations matrices(LagrangeEquations& equations, const Scene& scene, const About& about) {
   InlineView& view = equations.view();
   const GiNaC::exmap at = state(equations, scene, about);
   GiNaC::exmap without_inputs;
@@ -95,6 +98,18 @@ LinearisedEquations linearised(LagrangeEquations& equations, const Scene& scene,
     result.F.push_back(view.sum((inputs.empty() ? force : force.subs(without_inputs)).subs(at)));
   }
   return result;
+}
+
+}  // namespace
+
+LinearisedEquations linearised(LagrangeEquations& equations, const Scene& scene, const About& about) {
+  try {
+    return matrices(equations, scene, about);
+  } catch (const GiNaC::pole_error&) {
+    throw UsageError(no_value_at_state);
+  } catch (const DivisionByZero&) {
+    throw UsageError(no_value_at_state);
+  }
 }
 
 }  // namespace torsor::printing

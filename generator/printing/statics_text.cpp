@@ -12,6 +12,7 @@
 #include "torsor/generator/dynamics/equations/validation.hpp"
 #include "torsor/generator/dynamics/motion/initial_numbers.hpp"
 #include "torsor/generator/dynamics/theorems/flat_polynomials.hpp"
+#include "torsor/generator/dynamics/theorems/forms_that_meet.hpp"
 #include "torsor/generator/dynamics/theorems/joint_reactions.hpp"
 #include "torsor/generator/dynamics/theorems/routh.hpp"
 #include "torsor/generator/dynamics/theorems/stability.hpp"
@@ -155,9 +156,20 @@ class StaticsWriter {
                    : say("Every equation of equilibrium holds: a rest, whatever the parameters."));
   }
 
+  /// Whether the state lies where two forms of the values meet; says so.
+  bool lies_between_forms(std::vector<Value> values, const ValueMatrix& matrix, const AtState& at) {
+    for (const std::vector<Value>& row : matrix) values.insert(values.end(), row.begin(), row.end());
+    const WorkingDigits precision(digits);
+    const std::vector<Value> conditions = forms_that_meet(equations_.program(), values, at, scene_values({at(values)}));
+    if (conditions.empty()) return false;
+    page_.note(say("Cannot conclude: forces or their slopes have two values at this state, one on either side of"));
+    for (const Value& condition : conditions) page_.equation("", Value(), condition);
+    return true;
+  }
+
   void lejeune_dirichlet_criterion(const AtState& at) {
     page_.section(say("Lejeune-Dirichlet"));
-    if (!may_conclude()) return;
+    if (!may_conclude() || lies_between_forms(statics_.rows, statics_.hessian, at)) return;
     const ValueMatrix hessian = at(statics_.hessian);
     page_.matrix("H", hessian);
     page_.note(say("H: second derivatives of {} there.", potential_name()));
@@ -206,6 +218,9 @@ class StaticsWriter {
               "every instant; where they are periodic, the multipliers of Floquet decide."));
       return;
     }
+    ValueMatrix matrices = linear.M;
+    for (const ValueMatrix* matrix : {&linear.C, &linear.K}) matrices.insert(matrices.end(), matrix->begin(), matrix->end());
+    if (lies_between_forms(equations_.bias(), matrices, at)) return;
     const ValueMatrix M = at(linear.M), C = at(linear.C), K = at(linear.K);
     Program& program = equations_.program();
     std::vector<Value> polynomial, conditions;

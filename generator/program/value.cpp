@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "torsor/generator/base/error.hpp"
+#include "torsor/generator/program/division_by_zero.hpp"
 #include "torsor/generator/program/paired_signs.hpp"
 #include "torsor/generator/program/program.hpp"
 
@@ -78,7 +79,7 @@ Value pow(const Value& base, int exponent) {
   if (exponent == 0) return {*base.program(), Polynomial(Number(1)), Unit()};
   const Unit unit = base.unit_.pow(exponent);
   if (base.is_zero()) {
-    if (exponent < 0) throw Error("division by zero: a denominator vanishes identically");
+    if (exponent < 0) throw DivisionByZero();
     return base;
   }
   return {*base.program(), Polynomial(power(*base.program(), as_term(base), exponent)), unit};

@@ -10,6 +10,7 @@
 #include "torsor/generator/dynamics/forces/selected_actions.hpp"
 #include "torsor/generator/dynamics/theorems/flat_polynomials.hpp"
 #include "torsor/generator/program/derivative.hpp"
+#include "torsor/generator/program/division_by_zero.hpp"
 #include "torsor/generator/program/identically_zero.hpp"
 #include "torsor/generator/program/jumps.hpp"
 
@@ -49,7 +50,7 @@ bool acts_at_rest(const Model& model, const std::string& name) {
 }
 
 /// Why the forces at rest have no force function, or what else must be known before Lejeune-Dirichlet is believed.
-std::vector<std::string> remarks_on(const Equations& equations, bool from_potential,
+std::vector<std::string> remarks_on(const Equations& equations, bool from_potential, bool on_time,
                                     const std::vector<const ContactFriction*>& loose, const NaturalLanguage& say) {
   std::vector<std::string> names;
   for (const std::string& name : equations.actions().without_force_function) {
@@ -59,7 +60,8 @@ std::vector<std::string> remarks_on(const Equations& equations, bool from_potent
   const std::string list = fmt::format("{}", fmt::join(names, ", "));
   const bool one = names.size() == 1;
   if (!from_potential) {
-    return {names.empty() ? say("the forces at rest do not derive from U + T0: T depends on time explicitly")
+    if (names.empty() && on_time) return {say("the forces at rest do not derive from U + T0: T depends on time explicitly")};
+    return {names.empty() ? say("the forces at rest do not derive from U + T0")
             : one         ? say("the forces at rest do not derive from U + T0: {} acts at rest", list)
                           : say("the forces at rest do not derive from U + T0: {} act at rest", list)};
   }
@@ -128,14 +130,14 @@ EquilibriumEquations equilibrium_equations(const Equations& equations, const Nat
   all.push_back(of_rates);
   result.depends_on_time = depend_on_time(model, all);
   std::vector<Value> differences = forces;
+  // Differentiated as the actions are: selections in their forces are then the same definitions and leave nothing.
+  const std::vector<Value> slopes = gradient_along(result.potential, result.freedoms);
   result.mass = equations.mass();
   result.hessian.assign(n, {});
   for (std::size_t j = 0; j < n; ++j) {
     Derivation along = model.along(static_cast<int>(j));
-    if (!result.potential.is_zero()) {
-      const Value slope = along(result.potential);
-      differences[j] -= slope;
-    }
+    const Value slope = at_rest(slopes[j]);
+    if (!slope.is_zero()) differences[j] -= slope;
     for (std::size_t i = 0; i < n; ++i) {
       const Value entry = along(result.rows[i]);
       result.hessian[i].push_back(program.bind(entry));
@@ -143,7 +145,7 @@ EquilibriumEquations equilibrium_equations(const Equations& equations, const Nat
   }
   const std::vector<bool> same = identically_zero_entries(differences);
   result.from_potential = std::all_of(same.begin(), same.end(), [](bool each) { return each; });
-  result.remarks = remarks_on(equations, result.from_potential, loose, say);
+  result.remarks = remarks_on(equations, result.from_potential, result.depends_on_time, loose, say);
   for (const ContactFriction* friction : loose) {
     result.remarks.push_back(
         say("At rest the friction '{}' can be anything up to its limit, and is left out: more states than these are rests",
@@ -196,7 +198,11 @@ std::vector<Value> AtState::operator()(const std::vector<Value>& values) const {
     return program_->number(Number(), symbol->unit);
   });
   std::vector<Value> result;
-  for (const Value& value : values) result.push_back(substitution(value));
+  try {
+    for (const Value& value : values) result.push_back(substitution(value));
+  } catch (const DivisionByZero&) {
+    throw UsageError(no_value_at_state);
+  }
   return result;
 }
 
