@@ -413,6 +413,15 @@ bool ContactAutomaton::end_slips(int contact) {
       state.begins = state.fades = false;
     }
     if (!settle(contact)) return false;
+    if (!motion_.read(result_.time, y_)) return end(ContactStatus::integration_failed, contact);
+    PerContact<bool> all;
+    PerContact<double> approach{}, slip;
+    all.fill(true);
+    slip.fill(std::numeric_limits<double>::infinity());
+    for (int i = 0; i < count(); ++i) {
+      if (motion_.rule(i).normal) approach[as(i)] = 64 * motion_.rounding_of(motion_.first_row(i));
+    }
+    if (!close_what_rests(all, approach, slip)) return false;
     more = false;
     for (int i = 0; i < count(); ++i) {
       const ContactState& state = motion_.states[as(i)];

@@ -83,6 +83,8 @@ class ContactAutomaton {
     std::int64_t last = 0;  ///< number of its last impact among all; 0: none yet
     std::int64_t struck = 0;  ///< of the last one in which it closed, whichever contact caused it
     double left = std::numeric_limits<double>::lowest();  ///< time at which its flight began: it opened, or struck
+    /// Until then an impact is the end of its bounces: others with which it struck in turn have come to theirs.
+    double ends_by = std::numeric_limits<double>::lowest();
     double doubt = 1;  ///< doubled by each flight that did not leave the rounding of the gap
 
     /// An accumulation has ended: the next bounces tell of another.
@@ -113,8 +115,7 @@ class ContactAutomaton {
   bool take_regime(const ContactSelection& chosen, int k, const ContactSolution& solution);
   [[nodiscard]] double end_of_bounces(int i, double speed, double a) const noexcept;
   [[nodiscard]] bool accumulating(int i) const noexcept;
-  bool close_what_rests(const ContactSelection& chosen, const PerContact<double>& rounding,
-                        const PerContact<double>& rounding_of_slip);
+  bool close_what_rests(const PerContact<bool>& among, const PerContact<double>& approach, const PerContact<double>& slip);
   bool collide(int cause, bool rests, ImpactLaw impact_law);
   bool end_slips(int contact);
   bool pass_singular();

@@ -43,18 +43,18 @@ bool ContactAutomaton::accumulating(int i) const noexcept {
 }
 
 // Three corners of a face that have come to rest hold the fourth: it has neither a gap nor a velocity, and would be left open
-// without an event that closes it. It slides where they do.
-bool ContactAutomaton::close_what_rests(const ContactSelection& chosen, const PerContact<double>& rounding,
-                                        const PerContact<double>& rounding_of_slip) {
+// without an event that closes it. So has a body in a groove, drawn to one wall as its slip along the other ends: no gap would fall
+// through zero. What is left of velocities counts as none up to these sizes.
+bool ContactAutomaton::close_what_rests(const PerContact<bool>& among, const PerContact<double>& approach,
+                                        const PerContact<double>& slip) {
   bool any = false;
-  for (int k = 0; k < chosen.problem.count; ++k) {
-    const int i = chosen.who[as(k)];
+  for (int i = 0; i < count(); ++i) {
     ContactState& state = motion_.states[as(i)];
-    if (!motion_.rule(i).normal || state.touches) continue;
+    if (!among[as(i)] || !motion_.rule(i).normal || state.touches) continue;
     const bool closed = motion_.reading().gap[as(i)] <= 16 * motion_.rounding_of_gap(i);
-    if (!closed || std::abs(motion_.reading().w(motion_.first_row(i))) > 64 * rounding[as(i)]) continue;
+    if (!closed || std::abs(motion_.reading().w(motion_.first_row(i))) > approach[as(i)]) continue;
     state.touches = any = true;
-    set_by_slip(i, 64 * rounding_of_slip[as(i)]);
+    set_by_slip(i, slip[as(i)]);
   }
   return !any || settle(contact_);
 }
@@ -134,7 +134,14 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
   }
   if (rests) {
     // That velocity leaves with it what slip it makes of contacts that do not stick.
-    if (!settle(cause) || !close_what_rests(chosen, rounding_of_opening, rounding)) return false;
+    PerContact<bool> among{};
+    PerContact<double> slip{};
+    for (int k = 0; k < problem.count; ++k) among[as(chosen.who[as(k)])] = true;
+    for (int i = 0; i < count(); ++i) {
+      rounding_of_opening[as(i)] *= 64;
+      slip[as(i)] = 64 * rounding[as(i)];
+    }
+    if (!settle(cause) || !close_what_rests(among, rounding_of_opening, slip)) return false;
     for (int k = 0; k < problem.count; ++k) {
       const int i = chosen.who[as(k)];
       if (motion_.carrier(i) && !shock.sticks[as(k)]) set_by_slip(i, 64 * rounding[as(i)]);
@@ -166,6 +173,7 @@ bool ContactAutomaton::strike(int contact) {
   // where it opened, and would open again without end. It is closed until it is drawn away twice as fast.
   const bool rose = speed * (result_.time - bounces.left) > 16 * rounding || leaves_rounding(contact, speed);
   bounces.doubt = rose ? 1 : 2 * bounces.doubt;
+  const double last_flight = result_.time - bounces.left;
   bounces.left = result_.time;
   // Where the flights left rise by less than 1e6 roundings of the gap, the next impacts are known less well.
   const double unresolved = speed > 0 ? 1e6 * rounding / speed : 0;
@@ -176,10 +184,12 @@ bool ContactAutomaton::strike(int contact) {
   bounces.limit(result_.time, speed, rounding);
   const bool fades = bounces.slower >= 3 && limit - result_.time <= unresolved;
   const bool alone = bounces.watch(result_.time, options_.accumulation) || fades || buried;
-  const bool together = all_(result_.time, std::max(options_.accumulation, unresolved));
-  const bool rests = alone || together;
+  const double remaining = std::max(options_.accumulation, unresolved);
+  const bool together = all_(result_.time, remaining), follows = result_.time <= bounces.ends_by;
+  const bool rests = alone || together || follows;
+  bounces.ends_by = std::numeric_limits<double>::lowest();
   bounces.last = ++impact_number_;
-  alone_ = alone;
+  alone_ = alone || follows;
   buried_ = buried;
   cause_ = contact;
   kind_ = ContactEventKind::impact;
@@ -187,7 +197,9 @@ bool ContactAutomaton::strike(int contact) {
     kind_ = ContactEventKind::accumulation;
     ++result_.accumulations;
     // The contact is closed from now on: until the limit the impulses of all bounces and of rest are the same.
-    told_ = bounces.limit(std::max(result_.time, alone ? limit : all_.limit()), result_.time);
+    told_ = follows ? result_.time : bounces.limit(std::max(result_.time, alone ? limit : all_.limit()), result_.time);
+    // Contacts that strike in turn at speeds that hardly fade tell no limit by their speeds.
+    if (together && !alone && told_ > result_.time + 2 * remaining) told_ = std::max(result_.time, all_.limit());
   }
   for (int i = 0; i < count(); ++i) {
     touching_[as(i)] = motion_.carrier(i) == contact || motion_.states[as(i)].touches || near(i);
@@ -199,11 +211,17 @@ bool ContactAutomaton::strike(int contact) {
   const int cause = motion_.first_row(contact);
   for (int i = 0; i < count(); ++i) {
     joins_[as(i)] = false;
-    if (!touching_[as(i)] || !motion_.rule(i).normal) continue;
+    if (!motion_.rule(i).normal) continue;
     const int n = motion_.first_row(i);
-    const double approach = -motion_.reading().w(n);
     const Eigen::MatrixXd& W = motion_.W();
     const bool moved = std::abs(W(n, cause)) > 1e-8 * std::sqrt(W(n, n) * W(cause, cause));
+    if (!touching_[as(i)]) {
+      // What struck since the last impact of this one is on its way back, sooner than from its last: its bounces end with that.
+      const double flight = result_.time - bounces_[as(i)].left;
+      if (rests && !alone_ && moved && flight <= last_flight) bounces_[as(i)].ends_by = result_.time + flight;
+      continue;
+    }
+    const double approach = -motion_.reading().w(n);
     joins_[as(i)] = rests && moved && std::abs(approach) <= unseen * motion_.acceleration_terms(i);
     if (!(approach > 64 * motion_.rounding_of(n))) continue;
     Bounces& own = bounces_[as(i)];
