@@ -70,8 +70,8 @@ class MotionIntegrator {
   }
   bool fail_settling() {
     because_ =
-        ": the projection of each step moves it farther than its error does. Either a law of time in a constraint jumps here, for "
-        "which the motion has no impulse: give a smooth one, or make a motion that ends before and one from there on. Or the "
+        ": the projection of each step moves it farther than its error does. Either a law of time in a constraint jumps here, "
+        "for which the motion has no impulse: give a smooth one, or make a motion that ends before and one from there on. Or the "
         "constraints nearly lose rank here, as at a change point of a closed loop, which this command does not pass";
     return fail("the steps have become too short");
   }

@@ -309,7 +309,8 @@ TEST(SceneProgram, IntegratesAReference) {
     EXPECT_EQ(refused.code, 2) << times;
     EXPECT_NE(refused.err.find("times are positive and increase"), std::string::npos) << refused.err;
   }
-  expect_failure(run(pendulum, {"reference", "--times", "1e400"}), 2, "--times: '1e400' is beyond what a double holds, and no motion gets there");
+  expect_failure(run(pendulum, {"reference", "--times", "1e400"}), 2,
+                 "--times: '1e400' is beyond what a double holds, and no motion gets there");
 }
 
 TEST(SceneProgram, HelpsEverywhere) {

@@ -77,9 +77,9 @@ TEST(SizeBounds, NameTheSizeAndItsValue) {
   EXPECT_NE(block.said({{"r", -1}}).find("radius r = -1: give the size of what touches the plane"), std::string::npos);
 }
 
-// A + B >= C of principal moments: with a product D these are C and those of [A D; D B]. E and F are the other products.
 /// What is said of a body of that inertia, whose sizes are parameters.
-std::string said_of(Inertia (*make)(const Expression& a, const Expression& b, const Expression& c), double a, double b, double c) {
+std::string said_of(Inertia (*make)(const Expression& a, const Expression& b, const Expression& c), double a, double b,
+                    double c) {
   Scene scene("bodies");
   const Expression A = scene.run_time_parameter("A", "m", a), B = scene.parameter("B", "m", b), C = scene.parameter("C", "m", c);
   const Expression q = scene.coordinate("q", "rad");
@@ -176,6 +176,7 @@ TEST(SizeBounds, KnowTheLengthsOfWhatTouches) {
             "contact 'floor' has the half edge of a box -2 m: a length is never negative; give its size");
 }
 
+// A + B >= C of principal moments: with a product D these are C and those of [A D; D B]. E and F are the other products.
 TEST(SizeBounds, AskOfMomentsWhatMatterHas) {
   Block block;
   const std::string no_matter = "body 'block' has the moments of inertia xx = ";

@@ -64,7 +64,9 @@ TEST(PairedSigns, LeavePowersOfDistancesTheirSlopes) {
   Lengths of;
   const Expression r = sqrt(of.x * of.x + of.y * of.y);
   const SymbolPointer x = of.x.as_symbol(), y = of.y.as_symbol();
-  const auto at_centre = [&](const Value& value) { return Evaluator<double>(of.program, [](const SymbolPointer&) { return 0.0; })(value); };
+  const auto at_centre = [&](const Value& value) {
+    return Evaluator<double>(of.program, [](const SymbolPointer&) { return 0.0; })(value);
+  };
   for (const int power : {3, 4, 5}) {
     const Value value = of.value(pow(r, power)), forward = partial_derivation(of.program, x)(value);
     EXPECT_EQ(at_centre(forward), 0) << power;

@@ -64,9 +64,9 @@ void check_contacts(const Equations& equations) {
 
 void refuse_contacts(const Scene& scene, const std::string& user) {
   if (scene.content().contacts.empty()) return;
-  throw SceneError(fmt::format("{} of the scene '{}' does not watch contacts and dry friction, as '{}' needs: the command simulate "
-                               "moves it from event to event, and a program does so with the kernels mass_matrix, bias, contacts and "
-                               "contact_coefficients and runtime/contacts (docs/contacts.md)",
+  throw SceneError(fmt::format("{} of the scene '{}' does not watch contacts and dry friction, as '{}' needs: the command "
+                               "simulate moves it from event to event, and a program does so with the kernels mass_matrix, bias, "
+                               "contacts and contact_coefficients and runtime/contacts (docs/contacts.md)",
                                user, scene.name(), scene.content().contacts[0].name));
 }
 
