@@ -24,7 +24,7 @@ concept HasContactDerivatives =
 };
 
 /// Whether accelerations have derivatives in the present regimes, or why not.
-enum class ContactDerivativesStatus { ok, slip_without_direction, several_reactions, reaction_of_a_joint, singular };
+enum class ContactDerivativesStatus { ok, slip_without_direction, several_reactions, reaction_of_a_joint, singular, not_finite };
 
 [[nodiscard]] constexpr std::string_view describe(ContactDerivativesStatus status) noexcept {
   switch (status) {
@@ -38,6 +38,8 @@ enum class ContactDerivativesStatus { ok, slip_without_direction, several_reacti
       return "derivatives of accelerations are not given where friction is in proportion to a joint's reaction, and that is zero";
     case ContactDerivativesStatus::singular:
       return "derivatives of accelerations are not given where the equations of the regimes are singular";
+    case ContactDerivativesStatus::not_finite:
+      return "derivatives of accelerations are not given where the equations of the regimes are not finite";
   }
   return "unknown status";
 }
@@ -81,7 +83,9 @@ class ContactDerivatives {
       if (!motion.turns_with_velocity(i)) return refuse(ContactDerivativesStatus::slip_without_direction, i);
     }
     equate(motion);
-    if (equations_.factorise() != Evaluation::ok) return ContactDerivativesStatus::singular;
+    const Evaluation factorised = equations_.factorise();
+    if (factorised == Evaluation::not_finite) return ContactDerivativesStatus::not_finite;
+    if (factorised != Evaluation::ok || equations_.smallest_pivot() < least_pivot) return ContactDerivativesStatus::singular;
     solve_motion(motion);
     M::contact_motion_derivatives(precomputed, state, a_, lambda_, u, of_motion_);
     add_reactions(motion, precomputed, state);
@@ -149,13 +153,16 @@ class ContactDerivatives {
         right[freedoms + held + slip.row + k] = -pull * slip.direction[k] - turn;
       }
     }
-    for (std::size_t i = 0; i < all; ++i) right[i] *= over_[i];
-    equations_.solve(right);
+    solve(right);
     std::copy_n(right.begin(), freedoms, da);
   }
 
  private:
   using Equations = Lu<double, all>;
+
+  /// The square root of a rounding, of equations whose rows and columns have size 1. Reactions grow with one over the pivot as a
+  /// slip comes to where it jams, and their changes with its square: below, no digit of the accelerations' changes is left.
+  static constexpr double least_pivot = 0x1p-26;
 
   /// What a contact that slides adds to the equations.
   struct Slip {
@@ -185,11 +192,14 @@ class ContactDerivatives {
     return state.touches && state.regime == ContactRegime::slides && motion.rule(i).tangents > 0;
   }
 
-  /// Row i of a matrix that is stored column by column, times a change.
+  /// Row i of a matrix that is stored column by column, times a change. What does not change takes no part, also where its slope
+  /// has no bound, as that of sqrt(p) at 0.
   template <std::size_t columns, class Matrix>
   static double sum(const Matrix& matrix, std::size_t height, std::size_t i, const double* change) noexcept {
     double total = 0;
-    for (std::size_t j = 0; j < columns; ++j) total += matrix[j * height + i] * change[j];
+    for (std::size_t j = 0; j < columns; ++j) {
+      if (change[j] != 0) total += matrix[j * height + i] * change[j];
+    }
     return total;
   }
 
@@ -207,7 +217,7 @@ class ContactDerivatives {
     return status;
   }
 
-  /// The equations of the motion and of its changes, each row over its size.
+  /// The equations of the motion and of its changes, each row over its size, then each column.
   void equate(const ContactMotion& motion) noexcept {
     const ContactReading& reading = motion.reading();
     auto& matrix = equations_.matrix();
@@ -230,6 +240,18 @@ class ContactDerivatives {
       over_[i] = largest > 0 ? 1 / largest : 1;
       for (std::size_t j = 0; j < all; ++j) entry(i, j) *= over_[i];
     }
+    for (std::size_t j = 0; j < all; ++j) {
+      double largest = 0;
+      for (std::size_t i = 0; i < all; ++i) largest = std::max(largest, std::abs(entry(i, j)));
+      units_[j] = largest > 0 ? 1 / largest : 1;
+      for (std::size_t i = 0; i < all; ++i) entry(i, j) *= units_[j];
+    }
+  }
+
+  void solve(typename Equations::Vector& right) const noexcept {
+    for (std::size_t i = 0; i < all; ++i) right[i] *= over_[i];
+    equations_.solve(right);
+    for (std::size_t i = 0; i < all; ++i) right[i] *= units_[i];
   }
 
   template <class Entry>
@@ -298,8 +320,7 @@ class ContactDerivatives {
       for (std::size_t k = 0; k < slip.bearing; ++k) pull += slip.pull_by_bearing[k] * reading.R0(at(slip.first_bearing + k));
       for (std::size_t k = 0; k < slip.tangents; ++k) right[freedoms + held + slip.row + k] = -pull * slip.direction[k];
     }
-    for (std::size_t i = 0; i < all; ++i) right[i] *= over_[i];
-    equations_.solve(right);
+    solve(right);
     for (std::size_t i = 0; i < freedoms; ++i) a_[static_cast<int>(i)] = right[i];
     if constexpr (multipliers > 0) {
       std::size_t row = freedoms;
@@ -328,6 +349,7 @@ class ContactDerivatives {
       M::contact_row_derivatives(precomputed, state, unit, of_rows_);
       unit[static_cast<int>(i)] = 0;
       for (std::size_t k = 0; k < rows; ++k) {
+        if (r(at(k)) == 0) continue;
         for (std::size_t j = 0; j < freedoms; ++j) {
           pull_by_position_[j * freedoms + i] += r(at(k)) * of_rows_.by_position[j * rows + k];
         }
@@ -345,13 +367,16 @@ class ContactDerivatives {
   static void add_rows(const Matrix& of_rows, const ContactVector& r, std::size_t columns, Sum& sum) noexcept {
     for (std::size_t j = 0; j < columns; ++j) {
       for (std::size_t i = 0; i < bearings; ++i) {
-        for (std::size_t k = 0; k < rows; ++k) sum[j * bearings + i] += of_rows[(j * bearings + i) * rows + k] * r(at(k));
+        for (std::size_t k = 0; k < rows; ++k) {
+          if (r(at(k)) != 0) sum[j * bearings + i] += of_rows[(j * bearings + i) * rows + k] * r(at(k));
+        }
       }
     }
   }
 
   Equations equations_;
-  typename Equations::Vector over_{};  ///< one over the size of each row
+  typename Equations::Vector over_{};   ///< one over the size of each row
+  typename Equations::Vector units_{};  ///< of each unknown: one over the size of its column
   std::array<bool, rows> is_held_{};
   std::array<Slip, contacts> slips_{};
   typename M::Accelerations a_{};

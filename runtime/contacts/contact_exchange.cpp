@@ -23,7 +23,9 @@ ContactExchange::ContactExchange(const ContactMechanism& mechanism, const Contac
 
 bool ContactExchange::start(double t, std::span<double> y, bool again) {
   using Gaps = ContactAutomaton::Gaps;
+  begins_with_impact_ = false;
   if (!automaton_.start(t, y, again ? Gaps::of_a_late_event : Gaps::of_a_start)) return false;
+  begins_with_impact_ = automaton_.has_event();
   lift(t, y);
   return true;
 }
@@ -66,6 +68,7 @@ bool ContactExchange::falls(std::size_t index, double t, std::span<const double>
 }
 
 bool ContactExchange::update(double t, std::span<double> y) {
+  begins_with_impact_ = false;
   constexpr int most = 100;  // regimes that alternate at one time come to no end
   for (int passed = 0; passed < most; ++passed) {
     std::size_t index = 0;

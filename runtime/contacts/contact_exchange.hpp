@@ -22,6 +22,8 @@ class ContactExchange {
   /// the motion cannot begin. `again`: in the middle of a motion, as after a parameter was set: a gap below zero is then
   /// that of an event that was found late.
   bool start(double t, std::span<double> y, bool again = false);
+  /// Whether the present regimes are those of a start that began with an impact, and nothing has happened since.
+  [[nodiscard]] bool begins_with_impact() const noexcept { return begins_with_impact_; }
   /// Of the integration, absolute and relative, from the next start on.
   void tolerate(double tolerance) noexcept { automaton_.motion().tolerate(tolerance, tolerance); }
   /// What the mechanism says at a state has changed, as forces by its inputs do.
@@ -47,6 +49,7 @@ class ContactExchange {
 
   ContactAutomaton automaton_;
   std::vector<double> lifts_;  ///< what makes each indicator start above zero
+  bool begins_with_impact_ = false;
 };
 
 }  // namespace torsor::runtime

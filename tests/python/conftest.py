@@ -19,6 +19,7 @@ FILES = {"bennett": ["tests/python/bennett.cpp"],
          "unvalued": ["tests/python/unvalued.cpp"],
          "odd_names": ["tests/python/odd_names.cpp"],
          "worn_floor": ["tests/python/worn_floor.cpp"],
+         "rubbing_parts": ["tests/python/rubbing_parts.cpp"],
          "cart_pole": ["tests/python/cart_pole.urdf", "--initial", "hinge=0.3"],
          "quadruped": ["examples/quadruped/quadruped.urdf", "--base", "floating"],
          "quadruped_on_its_feet": [
@@ -92,3 +93,21 @@ def cart():
 def quadruped():
     """Twelve joints on a body that floats."""
     return scene("quadruped", "--kernels", "forward_dynamics,energy")
+
+
+def fmi_unit(request, tmp_path_factory, name, *options):
+    """Of the version that is the fixture's parameter, for all files that ask for it."""
+    import fmi_importer  # which takes `command` from here
+    return getattr(fmi_importer, f"Unit{request.param}")(name, tmp_path_factory.mktemp(name), "--flags=-O0", *options)
+
+
+@pytest.fixture(scope="session", params=("2", "3"))
+def fmi_billiard(request, tmp_path_factory):
+    """A ball on a cloth, all of whose parameters can be changed."""
+    return fmi_unit(request, tmp_path_factory, "billiard", "--run-time", "all", "--frames", "ball")
+
+
+@pytest.fixture(scope="session", params=("2", "3"))
+def fmi_cart_with_stops(request, tmp_path_factory):
+    """A cart that a motor pushes, with stops at 10 m on either side, and a pole."""
+    return fmi_unit(request, tmp_path_factory, "cart_pole", "--limits")

@@ -131,6 +131,24 @@ class Unit:
         return self.set_numbers(component, self.references(names), len(names), doubles(given)[0])
 
 
+def begun(unit, names=(), values=(), kind=CO_SIMULATION):
+    """An instance that starts with these values."""
+    component = unit.instantiate(kind)
+    assert component
+    assert unit.initialise(component, 0.0, 1e-12) == OK
+    assert unit.set(component, list(names), values) == OK
+    assert unit.ExitInitializationMode(component) == OK
+    return component
+
+
+def exchanged(unit, names=(), values=()):
+    """One that an importer integrates."""
+    component = begun(unit, names, values, MODEL_EXCHANGE)
+    unit.update(component)
+    assert unit.EnterContinuousTimeMode(component) == OK
+    return component
+
+
 def assert_slopes_by_parameters(unit, component):
     """Directional derivatives by the tunable parameters are slopes; in event mode, where parameters are set."""
     names = [v["name"] for v in unit.variables if v["causality"] == "parameter"]
