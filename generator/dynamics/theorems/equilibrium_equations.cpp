@@ -131,13 +131,13 @@ EquilibriumEquations equilibrium_equations(const Equations& equations, const Nat
   result.depends_on_time = depend_on_time(model, all);
   std::vector<Value> differences = forces;
   // Differentiated as the actions are: selections in their forces are then the same definitions and leave nothing.
-  const std::vector<Value> slopes = gradient_along(result.potential, result.freedoms);
+  std::vector<Value> slopes(n);
+  if (!result.potential.is_zero()) slopes = gradient_along(result.potential, result.freedoms);
   result.mass = equations.mass();
   result.hessian.assign(n, {});
   for (std::size_t j = 0; j < n; ++j) {
     Derivation along = model.along(static_cast<int>(j));
-    const Value slope = at_rest(slopes[j]);
-    if (!slope.is_zero()) differences[j] -= slope;
+    if (!slopes[j].is_zero()) differences[j] -= at_rest(slopes[j]);
     for (std::size_t i = 0; i < n; ++i) {
       const Value entry = along(result.rows[i]);
       result.hessian[i].push_back(program.bind(entry));
