@@ -65,31 +65,7 @@ Values row_accelerations(const Equations& equations, const std::vector<ContactRo
   return all;
 }
 
-/// Fills the structure `result`. What has no column is left out.
-class Slopes {
- public:
-  Slopes(std::string structure, std::string documentation) : structure_{std::move(structure), std::move(documentation), {}} {}
-
-  void add(const std::string& member, const ValueMatrix& rows, const std::string& text) {
-    if (rows.empty() || rows[0].empty()) return;
-    structure_.members.push_back(matrix_member(member, rows.size(), rows[0].size(), text));
-    assign_matrix(kernel_, {"result", member}, rows, rows[0].size());
-  }
-
-  Kernel take(std::string documentation, std::vector<Argument> arguments) {
-    kernel_.documentation = std::move(documentation);
-    kernel_.arguments = std::move(arguments);
-    kernel_.results = {{structure_.name, "result"}};
-    kernel_.structures = {std::move(structure_)};
-    return std::move(kernel_);
-  }
-
- private:
-  Structure structure_;
-  Kernel kernel_;
-};
-
-void add_residual(const Equations& equations, Slopes& slopes) {
+void add_residual(const Equations& equations, SlopesBuilder& slopes) {
   Program& program = equations.program();
   const ForceDerivatives of_motion = residual_derivatives(equations, Inputs::act);
   slopes.add("residual_by_position", of_motion.by_position, "d_i/dq_j of M a + h - A' lambda - E u");
@@ -106,9 +82,9 @@ void add_residual(const Equations& equations, Slopes& slopes) {
 }  // namespace
 
 Kernel make_contact_motion_derivatives(const Equations& equations) {
-  Slopes slopes("ContactMotionDerivatives",
-                "Partial derivatives while regimes of contacts last, stored column by column; accelerations, multipliers,\n"
-                "reactions and inputs count as independent.");
+  SlopesBuilder slopes("ContactMotionDerivatives",
+                       "Partial derivatives while regimes of contacts last, stored column by column; accelerations, "
+                       "multipliers,\nreactions and inputs count as independent.");
   const std::vector<SymbolPointer> v = velocities(equations), parameters = sensitivity_parameters(equations);
   add_residual(equations, slopes);
   const auto add_all = [&](const std::string& name, const Values& values, const std::string& text) {
@@ -146,7 +122,7 @@ Kernel make_contact_motion_derivatives(const Equations& equations) {
 }
 
 Kernel make_contact_row_derivatives(const Equations& equations) {
-  Slopes slopes("ContactRowDerivatives", "Partial derivatives of J a, stored column by column.");
+  SlopesBuilder slopes("ContactRowDerivatives", "Partial derivatives of J a, stored column by column.");
   const Values rows = row_accelerations(equations, contact_rows(equations.model()), false);
   slopes.add("by_position", by_position(equations, rows), "d_i/dq_j");
   slopes.add("by_parameter", derivatives_by_parameters(equations, rows, sensitivity_parameters(equations)), "d_i/dp_k");

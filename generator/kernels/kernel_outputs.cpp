@@ -51,31 +51,6 @@ ValueMatrix slopes_of(const Equations& equations, const std::vector<Value>& valu
   return rows;
 }
 
-/// Members of the structure `result`, where they have columns.
-class SlopesBuilder {
- public:
-  SlopesBuilder(std::string structure, std::string documentation)
-      : structure_{std::move(structure), std::move(documentation), {}} {}
-
-  void add(const std::string& member, const ValueMatrix& rows, const std::string& text) {
-    const std::size_t columns = rows.empty() ? 0 : rows[0].size();
-    if (columns == 0) return;
-    structure_.members.push_back(matrix_member(member, rows.size(), columns, text));
-    assign_matrix(kernel_, {"result", member}, rows, columns);
-  }
-
-  Kernel take(std::string documentation) {
-    kernel_.documentation = std::move(documentation);
-    kernel_.results = {{structure_.name, "result"}};
-    kernel_.structures = {std::move(structure_)};
-    return std::move(kernel_);
-  }
-
- private:
-  Structure structure_;
-  Kernel kernel_;
-};
-
 Kernel array_of(const std::vector<Value>& values, std::string documentation) {
   Kernel kernel;
   kernel.documentation = std::move(documentation);
@@ -185,10 +160,8 @@ Kernel make_output_reaction_derivatives(const Equations& equations, const Output
   slopes.add("by_multiplier", slopes_of(equations, values, multipliers(equations), gradient), "dR_i/dlambda_j");
   slopes.add("by_input", slopes_of(equations, values, equations.model().inputs(), gradient), "dR_i/du_j");
   slopes.add("by_parameter", slopes_of(equations, values, sensitivity_parameters(equations), gradient), "dR_i/dp_k");
-  Kernel kernel =
-      slopes.take("Partial derivatives of output_reactions. Along an attitude q_j is a turn about its moving axis j.");
-  kernel.arguments = {Argument::accelerations, Argument::multipliers, Argument::inputs};
-  return kernel;
+  return slopes.take("Partial derivatives of output_reactions. Along an attitude q_j is a turn about its moving axis j.",
+                     {Argument::accelerations, Argument::multipliers, Argument::inputs});
 }
 
 }  // namespace torsor

@@ -48,4 +48,19 @@ Kernel StructureBuilder::take(std::string documentation) {
   return kernel;
 }
 
+void SlopesBuilder::add(const std::string& member, const ValueMatrix& rows, const std::string& text) {
+  const std::size_t columns = rows.empty() ? 0 : rows[0].size();
+  if (columns == 0) return;
+  structure_.members.push_back(matrix_member(member, rows.size(), columns, text));
+  assign_matrix(kernel_, {"result", member}, rows, columns);
+}
+
+Kernel SlopesBuilder::take(std::string documentation, std::vector<Argument> arguments) {
+  kernel_.documentation = std::move(documentation);
+  kernel_.arguments = std::move(arguments);
+  kernel_.results = {{structure_.name, "result"}};
+  kernel_.structures = {std::move(structure_)};
+  return std::move(kernel_);
+}
+
 }  // namespace torsor

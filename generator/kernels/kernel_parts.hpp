@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "torsor/generator/geometry/vector.hpp"
@@ -51,6 +52,21 @@ class StructureBuilder {
  private:
   Structure structure_;
   std::vector<Assignment> assignments_;
+};
+
+/// Fills the structure `result` with matrices of derivatives; what has no column is left out.
+class SlopesBuilder {
+ public:
+  SlopesBuilder(std::string structure, std::string documentation)
+      : structure_{std::move(structure), std::move(documentation), {}} {}
+
+  void add(const std::string& member, const ValueMatrix& rows, const std::string& text);
+  /// The kernel that gives the structure.
+  Kernel take(std::string documentation, std::vector<Argument> arguments = {});
+
+ private:
+  Structure structure_;
+  Kernel kernel_;
 };
 
 }  // namespace torsor

@@ -54,33 +54,27 @@ class Sides {
   }
 
  private:
-  Sized number_of(const SymbolPointer& symbol) const {
-    const Value value = at_(program_.symbol(symbol));
-    Evaluator<Sized> evaluate(program_, [this](const SymbolPointer& other) { return Sized((*numbers_)(other)); });
-    const Sized number = value.is_zero() ? Sized(Real(0)) : evaluate(value);
+  /// What is left of a value where the state is put in.
+  Sized number_of(const Value& left) const {
+    if (left.is_zero()) return Sized(Real(0));
+    Evaluator<Sized> evaluate(program_, [this](const SymbolPointer& symbol) { return Sized((*numbers_)(symbol)); });
+    const Sized number = evaluate(left);
     return number.cancels() ? Sized(Real(0)) : number;
   }
 
   bool vanishes(const Value& condition) const {
-    const Value there = at_(condition);
-    if (there.is_zero() || identically_zero(there)) return true;
-    if (!numbers_) return false;
-    Evaluator<Sized> evaluate(program_, [this](const SymbolPointer& symbol) { return Sized((*numbers_)(symbol)); });
-    return evaluate(there).cancels();
+    const Value left = at_(condition);
+    return left.is_zero() || identically_zero(left) || (numbers_ && number_of(left).value == Real(0));
   }
 
   bool is_negative(const Value& value) const {
-    const Value there = at_(value);
-    if (there.is_zero()) return false;
-    if (there.is_constant()) return there.polynomial().constant().sign() < 0;
-    if (!numbers_) return false;
-    Evaluator<Sized> evaluate(program_, [this](const SymbolPointer& symbol) { return Sized((*numbers_)(symbol)); });
-    const Sized number = evaluate(there);
-    return !number.cancels() && number.value < Real(0);
+    const Value left = at_(value);
+    if (left.is_constant()) return !left.is_zero() && left.polynomial().constant().sign() < 0;
+    return numbers_ && number_of(left).value < Real(0);
   }
 
   Evaluator<Sized> evaluator() const {
-    return {program_, [this](const SymbolPointer& symbol) { return number_of(symbol); }};
+    return {program_, [this](const SymbolPointer& symbol) { return number_of(at_(program_.symbol(symbol))); }};
   }
 
   /// On the side of condition k that bit k tells: 1 below zero.
