@@ -106,8 +106,10 @@ std::string compiled_library(const MechanismListing& mechanism, const LibraryOpt
   const Compiler compiler = found_compiler("CXX", {"c++", "g++", "clang++"}, "C++20");
   const std::string& name = mechanism.scene().name();
   const bool contacts = !mechanism.scene().content().contacts.empty();
+  // In this order for units of FMI too, whose contact layer is then the same object.
   Words flags = separate_words(options.flags);
   flags.push_back(options.fused ? "-ffp-contract=fast" : "-ffp-contract=off");
+  if (contacts) flags.push_back(fmt::format("-DTORSOR_MOST_CONTACTS={}", room_for_contacts(mechanism.scene())));
   Words words = {"-std=c++20", "-shared", "-fPIC", "-fvisibility=hidden", "-pthread"};
   words.insert(words.end(), flags.begin(), flags.end());
   if (contacts) words.insert(words.end(), {"-isystem", eigen_folder(), "-DTORSOR_CONTACT_LAYER_APART"});

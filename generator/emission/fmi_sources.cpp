@@ -74,7 +74,7 @@ std::string zero_quaternions(const MechanismListing& mechanism) {
 std::vector<SourceFile> fmi_contact_sources(const FmiUnit& unit) {
   // Told in the text, for version 2.0 has no place for definitions that a compiler is to be given.
   const std::string room = fmt::format("#ifndef TORSOR_MOST_CONTACTS\n#define TORSOR_MOST_CONTACTS {}\n#endif\n",
-                                       unit.room_for_contacts());
+                                       room_for_contacts(unit.scene()));
   const auto filled = [&](const std::string& file, std::map<std::string, std::string> texts) {
     texts.insert({{"name", unit.name()}, {"version", TORSOR_VERSION}, {"room", room}});
     return fill_template(file, embedded_template(file), texts);

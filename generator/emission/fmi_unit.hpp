@@ -23,13 +23,6 @@ struct FmiUnit {
   const std::string& name() const { return scene().name(); }
   /// Then the contact layer moves it, and contacts share in multipliers.
   bool has_contacts() const { return !scene().content().contacts.empty(); }
-  /// Contacts that matrices on the stack of the contact layer have room for: TORSOR_MOST_CONTACTS. Few sizes, so that few
-  /// layers are compiled.
-  std::size_t room_for_contacts() const {
-    std::size_t room = 2;
-    while (room < scene().content().contacts.size()) room *= 2;
-    return room;
-  }
   std::size_t place_count() const { return 3 * outputs.points.size() + 12 * outputs.frames.size(); }
 };
 

@@ -84,6 +84,12 @@ std::vector<SourceFile> contact_layer_sources() {
   return files;
 }
 
+std::size_t room_for_contacts(const Scene& scene) {
+  std::size_t room = 2;
+  while (room < scene.content().contacts.size()) room *= 2;
+  return room;
+}
+
 std::vector<SourceFile> library_sources(const MechanismListing& mechanism) {
   const std::string name = mechanism.scene().name();
   const std::size_t contacts = mechanism.scene().content().contacts.size();

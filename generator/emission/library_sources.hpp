@@ -16,6 +16,10 @@ struct SourceFile {
 /// The runtime's contact layer, the same for every mechanism: first the file that includes the others, `contact_layer.cpp`.
 std::vector<SourceFile> contact_layer_sources();
 
+/// Contacts that its matrices on the stack need room for, where it moves this scene alone: TORSOR_MOST_CONTACTS. Few
+/// sizes, so that few layers are compiled.
+std::size_t room_for_contacts(const Scene& scene);
+
 /// Lines that make it a part of a file, unless TORSOR_CONTACT_LAYER_APART is defined: then it is linked.
 std::string contact_layer_includes();
 

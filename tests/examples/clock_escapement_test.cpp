@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "generated/clock_escapement.hpp"
+#include "tests/long_tests.hpp"
 #include "torsor/runtime/contacts/integrate_contacts.hpp"
 #include "torsor/runtime/contacts/mechanism_with_contacts.hpp"
 
@@ -94,11 +95,12 @@ double limit(const std::vector<double>& sequence) {
   return c - (c - b) * (c - b) / (c - 2 * b + a);
 }
 
-// Each swing lets the wheel go on by one pin, and two starts tend to the cycle that was found by hand. A swing leaves
-// 0.86 of what is left of the start: after 35 of them 2e-5 rad at most. Its square over 0.1 rad is the error of the
-// limit.
+// Each swing lets the wheel go on by one pin, and two starts tend to the cycle that was found by hand, one of them by
+// default. A swing leaves 0.86 of what is left of the start: after 35 of them 2e-5 rad at most. Its square over 0.1 rad is
+// the error of the limit.
 TEST(ClockEscapement, FindsTheCycleOfTheMotionByHand) {
-  for (const double start : {0.1, 0.107}) {
+  for (const double start : {0.107, 0.1}) {
+    if (start < 0.107 && !wanted(false, true)) continue;
     const Clock clock;
     Clock::State y = clock.initial();
     y[1] = start;
