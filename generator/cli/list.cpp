@@ -137,7 +137,7 @@ std::string readable(const Equations& equations, const Expression& formula) {
   constexpr std::size_t longest = 24;  // 17 digits with a sign, a point and some zeros
   const Number number = value.polynomial().constant();
   const std::string exact = printing::decimal_text(number);
-  return exact.size() <= longest ? exact : "about " + shortest(number.to_double());
+  return exact.size() <= longest && exact.find("...") == std::string::npos ? exact : "about " + shortest(number.to_double());
 }
 
 std::string line(const std::string& title, const Json& items, const std::function<std::string(const Json&)>& text) {

@@ -107,6 +107,7 @@ class Ruler {
       return name == "cdot" ? 7.2 : sign;
     }
     after_operand = true;
+    if (name == "ldots") return 11.7;
     if (name == "frac") {
       const double over = argument(), under = argument();
       return std::max(over, under) + 2.4;

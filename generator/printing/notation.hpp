@@ -43,8 +43,11 @@ std::string latex_unit(const Symbol& symbol);
 /// Names of the field that plain ASCII cannot spell, with their accents (UTF-8).
 std::string accented(std::string sentence);
 
-/// As a person writes it: 0.05 where the decimal ends within 24 places, else the fraction or surd.
+/// As a person writes it: 0.05 where the decimal ends within 24 places, else the fraction or surd. A fraction of more than
+/// 17 digits is cut after as many as a double has: 0.96802767481536424...
 std::string decimal_text(const Number& number);
+/// Such a decimal in LaTeX.
+std::string dots_in_latex(const std::string& decimal);
 /// The value of a parameter: a decimal; with a power of ten where that has many zeros, 5e-9 or 5 \cdot 10^{-9}.
 std::string value_text(const Number& number);
 std::string value_latex(const Number& number);

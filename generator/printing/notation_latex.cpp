@@ -36,7 +36,7 @@ std::string subscript(const std::string& text) {
 std::string rational(const cln::cl_RA& value) {
   if (is_read_as_decimal(value)) {
     const std::string decimal = decimal_text(Number(cln::abs(value)));
-    if (decimal.find('/') == std::string::npos) return decimal;
+    if (decimal.find('/') == std::string::npos) return dots_in_latex(decimal);
   }
   const std::string numerator = Number(cln::abs(cln::numerator(value))).to_string();
   const std::string denominator = Number(cln::denominator(value)).to_string();

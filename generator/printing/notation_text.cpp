@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cstdlib>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include <cln/integer.h>
+#include <cln/rational.h>
 #include <fmt/format.h>
 
 #include "torsor/generator/printing/notation.hpp"
@@ -121,12 +124,45 @@ std::string text_lines(const Written& written, std::size_t first_column, const s
 
 namespace {
 
+/// The first digits of a fraction that nobody reads, as many as a double has, and dots: 0.96802767... or 1.25...e-7, also
+/// where it stands before a root. None: it is written as it is.
+std::optional<std::string> first_digits(const cln::cl_RA& size) {
+  constexpr int count = 17;
+  const std::string over = Number(cln::numerator(size)).to_string(), under = Number(cln::denominator(size)).to_string();
+  if (under == "1" || (over.size() <= count && under.size() <= count)) return std::nullopt;
+  const auto ten_to = [](int power) {
+    const cln::cl_RA size_of_power = cln::expt(cln::cl_RA(10), cln::cl_I(std::abs(power)));
+    return power < 0 ? cln::recip(size_of_power) : size_of_power;
+  };
+  int power = static_cast<int>(over.size()) - static_cast<int>(under.size());
+  if (size < ten_to(power)) --power;
+  std::string digits = Number(cln::floor1(size * ten_to(count - 1 - power))).to_string();
+  if (power < -4 || power >= count - 1) return fmt::format("{}.{}...e{}", digits[0], digits.substr(1), power);
+  if (power < 0) return fmt::format("0.{}{}...", std::string(static_cast<std::size_t>(-power - 1), '0'), digits);
+  const auto point = static_cast<std::size_t>(power + 1);
+  return fmt::format("{}.{}...", digits.substr(0, point), digits.substr(point));
+}
+
+/// A number with roots: 1/2 + 1/3 sqrt(2).
+std::string text_with_roots(const Number& number) {
+  std::string text = number.to_string();
+  std::replace(text.begin(), text.end(), '*', ' ');
+  for (int i = 0; i < 4; ++i) {
+    const cln::cl_RA size = cln::abs(number.part(i));
+    if (const auto digits = first_digits(size)) {
+      const std::string written = Number(size).to_string();
+      text.replace(text.find(written), written.size(), *digits);
+    }
+  }
+  return text;
+}
+
 /// Digits and the power of ten of a decimal with five zeros in a row; none of any other.
 std::optional<std::pair<std::string, int>> with_power_of_ten(const std::string& decimal) {
   constexpr std::size_t many = 5;
   const std::string sign = decimal.starts_with('-') ? "-" : "";
   const std::string digits = decimal.substr(sign.size());
-  if (digits.find_first_not_of("0123456789.") != std::string::npos) return std::nullopt;
+  if (digits.find_first_not_of("0123456789.") != std::string::npos || digits.ends_with('.')) return std::nullopt;
   const std::size_t point = digits.find('.');
   std::string mantissa;
   int power = 0;
@@ -156,7 +192,15 @@ std::string value_text(const Number& number) {
 std::string value_latex(const Number& number) {
   const std::string decimal = decimal_text(number);
   const auto parts = with_power_of_ten(decimal);
-  return parts ? fmt::format("{} \\cdot 10^{{{}}}", parts->first, parts->second) : decimal;
+  return parts ? fmt::format("{} \\cdot 10^{{{}}}", parts->first, parts->second) : dots_in_latex(decimal);
+}
+
+std::string dots_in_latex(const std::string& decimal) {
+  const std::size_t dots = decimal.find("...");
+  if (dots == std::string::npos) return decimal;
+  const std::size_t power = decimal.find('e', dots);
+  const std::string last = power == std::string::npos ? "" : fmt::format(" \\cdot 10^{{{}}}", decimal.substr(power + 1));
+  return decimal.substr(0, dots) + "\\ldots" + last;
 }
 
 bool is_read_as_decimal(const cln::cl_RA& number) {
@@ -167,14 +211,12 @@ bool is_read_as_decimal(const cln::cl_RA& number) {
 }
 
 std::string coefficient_text(const Number& number) {
-  const bool decimal = number.is_rational() && is_read_as_decimal(number.part(0));
-  std::string result = decimal ? decimal_text(number) : number.to_string();
-  std::replace(result.begin(), result.end(), '*', ' ');  // 1/2 sqrt(3)
-  return result;
+  if (!number.is_rational()) return text_with_roots(number);
+  return is_read_as_decimal(number.part(0)) ? decimal_text(number) : number.to_string();
 }
 
 std::string decimal_text(const Number& number) {
-  if (!number.is_rational()) return number.to_string();
+  if (!number.is_rational()) return text_with_roots(number);
   const cln::cl_RA& value = number.part(0);
   cln::cl_I scale = 1;
   for (int places = 0; places <= 24; ++places, scale = scale * 10) {
@@ -187,7 +229,8 @@ std::string decimal_text(const Number& number) {
     const std::size_t point = digits.size() - count;
     return fmt::format("{}{}.{}", number.sign() < 0 ? "-" : "", digits.substr(0, point), digits.substr(point));
   }
-  return number.to_string();
+  const auto digits = first_digits(cln::abs(value));
+  return digits ? (number.sign() < 0 ? "-" : "") + *digits : number.to_string();
 }
 
 }  // namespace torsor::printing

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "torsor/generator/base/decimal.hpp"
 #include "torsor/generator/printing/latex_width.hpp"
 #include "torsor/generator/printing/notation.hpp"
 #include "torsor/generator/printing/print_equations.hpp"
@@ -170,6 +171,25 @@ TEST(DecimalText, WritesWhatEndsAsADecimal) {
   EXPECT_EQ(printing::decimal_text(Number::rational(-981, 100)), "-9.81");
   EXPECT_EQ(printing::decimal_text(Number(12)), "12");
   EXPECT_EQ(printing::decimal_text(Number::rational(1, 3)), "1/3");
+}
+
+// Inertias of a file that are turned by an attitude of a file have fractions of a hundred digits.
+TEST(DecimalText, CutsFractionsThatNobodyReads) {
+  const auto text = [](const char* number) { return printing::decimal_text(parse_decimal(number)); };
+  EXPECT_EQ(text("39600217960424652341615515521676656025/40908128851858423841834435138921879209"), "0.96802809299417873...");
+  EXPECT_EQ(text("-39600217960424652341615515521676656025/40908128851858423841834435138921879209"), "-0.96802809299417873...");
+  EXPECT_EQ(text("1000000000000000000/3"), "3.3333333333333333...e17");
+  EXPECT_EQ(text("10000000000000000000/300001"), "33333222222592.591...");
+  EXPECT_EQ(text("999999999999999999/1000000000000000001"), "0.99999999999999999...");
+  EXPECT_EQ(text("1/300000000000000000"), "3.3333333333333333...e-18");
+  EXPECT_EQ(text("1000000000000000001/30000000000000000000000"), "3.3333333333333333...e-5");
+  EXPECT_EQ(text("1/30000000000000001"), "1/30000000000000001");  // 17 digits
+  const Number third = parse_decimal("1000000000000000000/3000000000000000001");
+  EXPECT_EQ(printing::decimal_text(third + third * Number::sqrt2()), "0.33333333333333333... + 0.33333333333333333... sqrt(2)");
+  EXPECT_EQ(printing::coefficient_text(third), "0.33333333333333333...");
+  EXPECT_EQ(printing::value_text(third), "0.33333333333333333...");
+  EXPECT_EQ(printing::value_latex(third), "0.33333333333333333\\ldots");
+  EXPECT_EQ(printing::value_latex(parse_decimal("1/300000000000000000")), "3.3333333333333333\\ldots \\cdot 10^{-18}");
 }
 
 }  // namespace

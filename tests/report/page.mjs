@@ -218,6 +218,8 @@ for (const scene of scenes) {
   })()`);
   expect(english.length === 0, `English on a French page: ${english.slice(0, 5).join("; ")}`);
 
+  const wide = await browser.evaluate(`document.documentElement.scrollWidth - document.documentElement.clientWidth`);
+  expect(wide <= 0, `something on the page is ${wide} px wider than the window`);
   const stuck = await browser.evaluate(`[...document.querySelectorAll("pre, .formula")].filter((each) => each.scrollWidth > each.clientWidth + 1 && each.tabIndex < 0).length`);
   expect(stuck === 0, `${stuck} texts scroll, but not by the keyboard`);
 
