@@ -56,6 +56,11 @@ std::string events_in_words(std::int64_t count, const NaturalLanguage& say) {
   return count == 1 ? say("one event") : say("{} events", count);
 }
 
+/// Decisions of regimes are taken between events too, where nothing changes.
+std::string decisions_in_words(std::int64_t count, const NaturalLanguage& say) {
+  return count == 1 ? say("one decision") : say("{} decisions", count);
+}
+
 /// Why a motion ended.
 std::string reason_of(const runtime::ContactResult& end, const NaturalLanguage& say) {
   const auto known = [&say](std::string_view words) { return say.known(std::string(words)); };
@@ -133,12 +138,12 @@ class ContactSimulation {
       result_.status = dead.empty() ? say_("{} at t = {:.9g} s", why, end.time) : dead;
     }
     if (end.ambiguous > 0) {
-      result_.remarks.push_back(say_("at {} several motions fulfil the laws of contact: one was taken",
-                                     events_in_words(end.ambiguous, say_)));
+      result_.remarks.push_back(say_("in {} several motions fulfil the laws of contact: one was taken",
+                                     decisions_in_words(end.ambiguous, say_)));
     }
     if (end.indeterminate > 0) {
-      result_.remarks.push_back(say_("at {} reactions are indeterminate: other ones give the same motion",
-                                     events_in_words(end.indeterminate, say_)));
+      result_.remarks.push_back(say_("in {} reactions are indeterminate: other ones give the same motion",
+                                     decisions_in_words(end.indeterminate, say_)));
     }
     if (end.order_matters > 0) {
       result_.remarks.push_back(say_("at {} the sequential law of impact depends on the order of contacts: another one gives "
@@ -247,11 +252,18 @@ class ContactSimulation {
     }
     text += regimes.empty() ? "; then all are open" : fmt::format("; then {}", fmt::join(regimes, ", "));
     if (event.order_matters) text += "; another order of contacts gives other velocities";
-    for (std::size_t k = 1; k < event.found.size(); ++k) {
-      text += k == 1 ? "; other regimes are possible: " : " or ";
-      text += regimes_of([&](int i) { return event.found[k][static_cast<std::size_t>(i)]; });
-    }
+    text += others("; other impulses are possible: ", event.struck) + others("; other regimes are possible: ", event.found);
     result_.events.push_back(std::move(text));
+  }
+
+  /// Regimes of all solutions but the one that was taken.
+  std::string others(std::string_view first, std::span<const runtime::PerContact<ContactRegime>> found) const {
+    std::string text;
+    for (std::size_t k = 1; k < found.size(); ++k) {
+      text += k == 1 ? first : " or ";
+      text += regimes_of([&](int i) { return found[k][static_cast<std::size_t>(i)]; });
+    }
+    return text;
   }
 
   template <class StateOf>

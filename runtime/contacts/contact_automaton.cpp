@@ -25,9 +25,9 @@ bool ContactAutomaton::start(double t0, std::span<double> y, Gaps gaps) {
   bounces_.assign(bounces_.size(), {});
   all_ = {};
   fastest_.setZero(motion_.rows());
-  residual_ = 0;
+  without_impact();
   impact_number_ = 0;
-  has_event_ = order_matters_ = false;
+  has_event_ = false;
   ends_too_.fill(false);
   joins_.fill(false);
   if (!valid(options_)) return end(ContactStatus::invalid_options, std::nullopt);
@@ -58,7 +58,17 @@ bool ContactAutomaton::renew(std::span<double> y) {
 
 ContactEvent ContactAutomaton::event() const noexcept {
   return {kind_,     told_,        contact_,  before_, y_, std::span(motion_.states).first(bounces_.size()),
-          impulses_, energy_lost_, residual_, verdict_, std::span(found_).first(found_count_), order_matters_};
+          impulses_, energy_lost_, residual_, verdict_of_both(impact_verdict_, verdict_), std::span(found_).first(found_count_),
+          std::span(struck_).first(struck_count_), order_matters_};
+}
+
+// What is told of an event with no impulses.
+void ContactAutomaton::without_impact() noexcept {
+  residual_ = energy_lost_ = 0;
+  order_matters_ = false;
+  impact_verdict_ = ContactVerdict::unique;
+  struck_count_ = 0;
+  impulses_.setZero(motion_.rows());
 }
 
 bool ContactAutomaton::end(ContactStatus status, std::optional<int> contact) noexcept {
@@ -265,10 +275,14 @@ bool ContactAutomaton::decide(std::optional<int> forced, Cause cause) {
 
 void ContactAutomaton::note_found(const ContactSelection& chosen, const ContactAnswer& answer) noexcept {
   found_count_ = answer.count;
-  for (std::size_t j = 0; j < answer.count; ++j) {
-    found_[j].fill(ContactRegime::open);
-    for (int k = 0; k < chosen.problem.count; ++k) found_[j][as(chosen.who[as(k)])] = answer.solutions[j].regimes[as(k)];
-  }
+  for (std::size_t j = 0; j < answer.count; ++j) found_[j] = chosen.spread(answer.solutions[j].regimes);
+}
+
+void ContactAutomaton::note_struck(const ContactSelection& chosen, const ImpactResult& shock) noexcept {
+  impact_verdict_ = shock.verdict;
+  if (shock.verdict == ContactVerdict::several) ++result_.ambiguous;
+  struck_count_ = shock.found_count;
+  for (std::size_t j = 0; j < struck_count_; ++j) struck_[j] = chosen.spread(shock.found[j]);
 }
 
 // On which side of zero the regimes that begin are.
@@ -378,9 +392,7 @@ bool ContactAutomaton::still_slips(int contact, Watched watched) {
 bool ContactAutomaton::happened(int contact, bool normal) {
   std::copy_n(y_.begin(), before_.size(), before_.begin());
   ContactState& state = motion_.states[as(contact)];
-  residual_ = energy_lost_ = 0;
-  order_matters_ = false;
-  impulses_.setZero(motion_.rows());
+  without_impact();
   contact_ = contact;
   told_ = result_.time;
   if (normal && !state.touches) {

@@ -112,10 +112,12 @@ class ContactAutomaton {
   bool decide(std::optional<int> forced, Cause cause);
   [[nodiscard]] ContactLaw law_after(int i, std::optional<int> forced, Cause cause) const noexcept;
   void note_found(const ContactSelection& chosen, const ContactAnswer& answer) noexcept;
+  void note_struck(const ContactSelection& chosen, const ImpactResult& shock) noexcept;
   bool take_regime(const ContactSelection& chosen, int k, const ContactSolution& solution);
   [[nodiscard]] double end_of_bounces(int i, double speed, double a) const noexcept;
   [[nodiscard]] bool accumulating(int i) const noexcept;
   bool close_what_rests(const PerContact<bool>& among, const PerContact<double>& approach, const PerContact<double>& slip);
+  void without_impact() noexcept;
   bool collide(int cause, bool rests, ImpactLaw impact_law);
   bool end_slips(int contact);
   bool pass_singular();
@@ -151,10 +153,13 @@ class ContactAutomaton {
   int contact_ = 0;
   ContactVector impulses_;
   double energy_lost_ = 0, residual_ = 0;
-  ContactVerdict verdict_ = ContactVerdict::unique;
+  ContactVerdict verdict_ = ContactVerdict::unique;  ///< of the last decision of regimes
+  ContactVerdict impact_verdict_ = ContactVerdict::unique;  ///< of the event's impact
   bool order_matters_ = false;  ///< of the impact told next
   std::array<PerContact<ContactRegime>, ContactAnswer::kept> found_{};  ///< regimes of all motions of the last decision
   std::size_t found_count_ = 0;
+  std::array<PerContact<ContactRegime>, ContactAnswer::kept> struck_{};  ///< regimes of all impulses of the event's impact
+  std::size_t struck_count_ = 0;
 };
 
 }  // namespace torsor::runtime

@@ -136,9 +136,7 @@ std::optional<bool> ContactAutomaton::pass_loss_of_rank(double t, std::span<doub
   std::copy_n(y_.begin(), before_.size(), before_.begin());
   const PerContact<ContactState> before = motion_.states;
   kind_ = ContactEventKind::slips;
-  residual_ = energy_lost_ = 0;
-  order_matters_ = false;
-  impulses_.setZero(motion_.rows());
+  without_impact();
   ends_too_.fill(false);
   has_event_ = false;
   if (!decide(std::nullopt, Cause::none)) return result_.status == ContactStatus::reached_end ? std::nullopt : std::optional(false);

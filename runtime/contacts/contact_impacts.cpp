@@ -94,6 +94,7 @@ bool ContactAutomaton::collide(int cause, bool rests, ImpactLaw impact_law) {
   if (!shock.applies) return end(ContactStatus::law_of_one_contact, cause);
   if (shock.verdict == ContactVerdict::none) return end(ContactStatus::no_impact, cause);
   if (without_solution(shock.verdict)) return end(ContactStatus::not_found, cause);
+  note_struck(chosen, shock);
   order_matters_ = shock.order_matters;
   if (order_matters_) ++result_.order_matters;
   residual_ = shock.residual;
@@ -270,9 +271,7 @@ bool ContactAutomaton::pass_edge(int contact, double t, std::span<double> y) {
   has_event_ = true;
   contact_ = contact;
   kind_ = ContactEventKind::opens;
-  residual_ = energy_lost_ = 0;
-  order_matters_ = false;
-  impulses_.setZero(motion_.rows());
+  without_impact();
   ++result_.events;
   return decide(contact, Cause::opens);
 }
@@ -292,9 +291,7 @@ bool ContactAutomaton::pass_jump_of_slip(int contact, double t) {
   has_event_ = true;
   contact_ = contact;
   kind_ = ContactEventKind::slips;
-  residual_ = energy_lost_ = 0;
-  order_matters_ = false;
-  impulses_.setZero(motion_.rows());
+  without_impact();
   return settle(contact) && decide(std::nullopt, Cause::none);
 }
 

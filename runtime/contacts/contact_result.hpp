@@ -104,9 +104,11 @@ struct ContactEvent {
   const ContactVector& impulses;           ///< of impacts and accumulations, all rows
   double energy_lost;                      ///< what contacts take: T- - T+ where no surface moves by itself
   double residual;                         ///< certificate, the larger of impact and regimes
-  ContactVerdict verdict;                  ///< of the decision of regimes
+  ContactVerdict verdict;                  ///< of the decision of regimes and, at an impact, of its impulses
   /// Regimes of all motions that it found, that taken first. A contact that did not take part is open.
   std::span<const PerContact<ContactRegime>> found{};
+  /// Of an impact that several impulses fulfil: regimes of each in it, those taken first.
+  std::span<const PerContact<ContactRegime>> struck{};
   bool order_matters = false;  ///< of an impact by the sequential law: another order of contacts gives other velocities
 };
 
@@ -132,8 +134,10 @@ struct ContactResult {
   std::optional<int> contact{};  ///< the one that ended it, where one did
   ContactVerdict verdict = ContactVerdict::unique;
   std::int64_t events = 0, impacts = 0, accumulations = 0;
-  std::int64_t ambiguous = 0;      ///< decisions for which there were several motions
-  std::int64_t indeterminate = 0;  ///< decisions that left reactions indeterminate
+  /// Decisions for which there were several motions. Regimes are decided at the start, at events, and between them where a force
+  /// of those that are not unique comes to its bound. Impulses of an impact count as a decision of their own.
+  std::int64_t ambiguous = 0;
+  std::int64_t indeterminate = 0;  ///< decisions of regimes that left reactions indeterminate
   std::int64_t order_matters = 0;  ///< impacts by the sequential law that another order of contacts makes other ones
   double worst_residual = 0;
   EventStatus integration_event = EventStatus::reached_end;

@@ -54,6 +54,13 @@ struct ContactSelection {
     for (int i = 0; i < rows; ++i) all(row[at(i)]) = some(i);
     return all;
   }
+  /// Regimes of the problem's contacts among those of all, the others open.
+  [[nodiscard]] PerContact<ContactRegime> spread(const PerContact<ContactRegime>& some) const noexcept {
+    PerContact<ContactRegime> all;
+    all.fill(ContactRegime::open);
+    for (int k = 0; k < problem.count; ++k) all[at(who[at(k)])] = some[at(k)];
+    return all;
+  }
   /// Those of the rows selected.
   [[nodiscard]] ContactVector gather(const ContactVector& all) const noexcept {
     ContactVector some(rows);

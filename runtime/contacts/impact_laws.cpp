@@ -22,6 +22,10 @@ constexpr std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }
 bool take(const ContactAnswer& answer, const ContactProblem& solved, ImpactResult& result) noexcept {
   result.verdict = verdict_of_both(result.verdict, answer.verdict);
   if (!answer) return false;
+  if (answer.verdict == ContactVerdict::several && result.found_count == 0) {
+    result.found_count = answer.count;
+    for (std::size_t k = 0; k < answer.count; ++k) result.found[k] = answer.solutions[k].regimes;
+  }
   const ContactSolution& s = answer.best();
   result.residual = std::max(result.residual, s.residual);
   for (int i = 0; i < solved.count; ++i) {
@@ -123,10 +127,8 @@ void collide_in_turn(const ContactProblem& problem, std::span<const double> rest
     ImpactResult alone;
     alone.verdict = ContactVerdict::unique;
     newton_moreau(one.problem, e, alone);
-    if (without_solution(alone.verdict)) {
-      result.verdict = alone.verdict;
-      return;
-    }
+    result.verdict = verdict_of_both(result.verdict, alone.verdict);
+    if (without_solution(alone.verdict)) return;
     const ContactVector P = one.spread(alone.P, problem.rows());
     const ContactVector change = problem.W * P;
     for (int row = 0; row < problem.rows(); ++row) {

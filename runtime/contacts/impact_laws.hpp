@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
+#include <cstddef>
 #include <span>
 #include <string_view>
 
@@ -35,6 +37,10 @@ struct ImpactResult {
   PerContact<bool> closed{};  ///< w_N = 0 after
   PerContact<bool> sticks{};  ///< w_T = 0 after
   ContactVerdict verdict = ContactVerdict::none;
+  /// Where several impulses fulfil the law of all contacts at once: regimes of each, those taken first. Of Poisson's law, those of
+  /// the first of its two phases that has several.
+  std::array<PerContact<ContactRegime>, ContactAnswer::kept> found{};
+  std::size_t found_count = 0;
   double residual = 0;
   double lost = 0;      ///< -P (w- + w+)/2 of all: T- - T+ where no surface moves by itself
   bool gains = false;   ///< T+ > T- of bodies that act on each other, whatever others lose

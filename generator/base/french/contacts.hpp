@@ -104,12 +104,14 @@ constexpr Translation french_of_contacts[] = {
     {"; state: {}", " ; état : {}"},
     {"one event", "un événement"},
     {"{} events", "{} événements"},
-    {"at {} several motions fulfil the laws of contact: one was taken",
-     "à {}, plusieurs mouvements vérifient les lois de contact : l'un d'eux est pris"},
+    {"one decision", "une décision"},
+    {"{} decisions", "{} décisions"},
+    {"in {} several motions fulfil the laws of contact: one was taken",
+     "dans {}, plusieurs mouvements vérifient les lois de contact : l'un d'eux est pris"},
     {"at {} the sequential law of impact depends on the order of contacts: another one gives other velocities",
      "à {}, la loi de choc séquentielle dépend de l'ordre des contacts : un autre donne d'autres vitesses"},
-    {"at {} reactions are indeterminate: other ones give the same motion",
-     "à {}, des réactions sont indéterminées : d'autres donnent le même mouvement"},
+    {"in {} reactions are indeterminate: other ones give the same motion",
+     "dans {}, des réactions sont indéterminées : d'autres donnent le même mouvement"},
 };
 
 }  // namespace torsor
