@@ -421,7 +421,17 @@ Evaluation ContactMotion::align(double t, std::span<const double> y, const Align
   for (int i = 0; i < sizes_.velocities; ++i) there_[as(sizes_.coordinates + i)] += later * change_(i);
   if (mechanism_.read(t + later, there_, later_reading_) != Evaluation::ok) return Evaluation::singular;
   if (!later_dynamics_.compute(later_reading_) || !later_dynamics_.respond(later_reading_)) return Evaluation::singular;
+  // Slips that go along their own velocity turn too, the sooner the slower they are.
   Regimes turned = regimes;
+  for (int i = 0; i < count(); ++i) {
+    const bool turns = rule(i).tangents == 2 && turned[as(i)].friction == AssumedRegime::Friction::slides;
+    if (!turns || begins[as(i)] || !turns_with_velocity(i)) continue;
+    auto& d = turned[as(i)].direction;
+    const int k = tangent_row(i);
+    const double along_x = later_reading_.w(k), along_y = later_reading_.w(k + 1);
+    const double length = std::copysign(std::hypot(along_x, along_y), d[0] * along_x + d[1] * along_y);
+    if (length != 0) d = {along_x / length, along_y / length};
+  }
   if (!align_slips(problem_of(later_reading_, later_dynamics_), turned, slips)) return Evaluation::singular;
   for (int i = 0; i < count(); ++i) {
     if (!begins[as(i)]) continue;
