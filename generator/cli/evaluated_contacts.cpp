@@ -18,6 +18,13 @@ EvaluatedContacts::EvaluatedContacts(const Scene& scene, const ModelOptions& opt
       row.drift = program.bind(row.drift);
     }
   }
+  for (const ContactRows& contact : rows_) {
+    gaps_.push_back(contact.normal ? std::optional(motion_.ready(contact.gap)) : std::nullopt);
+    for (const ContactRow& row : contact.rows) {
+      ReadyRow& ready = ready_rows_.emplace_back(ReadyRow{{}, motion_.ready(row.rate), motion_.ready(row.drift)});
+      for (const Value& entry : row.jacobian) ready.jacobian.push_back(motion_.ready(entry));
+    }
+  }
   std::vector<int> components;
   for (std::vector<BearingReaction>& of_contact : bearing_reactions(motion_.equations())) {
     components.push_back(static_cast<int>(of_contact.size()));
@@ -84,15 +91,12 @@ runtime::Evaluation EvaluatedMechanism::read(double t, std::span<const double> y
     reading.rate(at(k)) = motion.value(row.rate);
   }
   reading.gamma.noalias() = -reading.A * a;
+  for (std::size_t i = 0; i < contacts_.rows().size(); ++i) reading.gap[i] = contacts_.gap(i);
   Eigen::Index next = 0;
-  for (std::size_t i = 0; i < contacts_.rows().size(); ++i) {
-    const ContactRows& contact = contacts_.rows()[i];
-    reading.gap[i] = contact.normal ? motion.value(contact.gap) : 0.0;
-    for (const ContactRow& row : contact.rows) {
-      for (std::size_t j = 0; j < n; ++j) reading.J(next, at(j)) = motion.value(row.jacobian[j]);
-      reading.w(next) = motion.value(row.rate);
-      reading.drift(next++) = motion.value(row.drift);
-    }
+  for (const EvaluatedContacts::ReadyRow& row : contacts_.ready_rows()) {
+    for (std::size_t j = 0; j < n; ++j) reading.J(next, at(j)) = motion.value(row.jacobian[j]);
+    reading.w(next) = motion.value(row.rate);
+    reading.drift(next++) = motion.value(row.drift);
   }
   for (std::size_t k = 0; k < contacts_.bearings().size(); ++k) {
     const BearingReaction& bearing = contacts_.bearings()[k];

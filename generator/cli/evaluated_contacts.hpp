@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -34,6 +35,13 @@ class EvaluatedContacts {
   bool read(double t, const std::vector<double>& y, std::vector<double>& rates) { return motion_.slope(t, y, rates); }
   double mass(std::size_t i, std::size_t j) { return motion_.mass(i, j); }
   const std::vector<ContactRows>& rows() const { return rows_; }
+  struct ReadyRow {
+    std::vector<EvaluatedMotion::Ready> jacobian;
+    EvaluatedMotion::Ready rate, drift;
+  };
+  /// Those of all contacts, and the gap of each that has one.
+  const std::vector<ReadyRow>& ready_rows() const { return ready_rows_; }
+  double gap(std::size_t contact) { return rows_[contact].normal ? motion_.value(*gaps_[contact]) : 0.0; }
   const std::vector<BearingReaction>& bearings() const { return bearings_; }
   /// λ of a constraint in the accelerations without contacts.
   double multiplier(std::size_t k) { return motion_.value(motion_.equations().forward().multipliers[kept_[k]]); }
@@ -45,6 +53,8 @@ class EvaluatedContacts {
 
   EvaluatedMotion motion_;
   std::vector<ContactRows> rows_;
+  std::vector<ReadyRow> ready_rows_;
+  std::vector<std::optional<EvaluatedMotion::Ready>> gaps_;
   std::vector<BearingReaction> bearings_;
   std::vector<runtime::ContactRule> rules_;
   std::vector<std::size_t> kept_;  ///< constraints that repeat no other

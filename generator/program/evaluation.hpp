@@ -35,7 +35,10 @@ class Evaluator {
   void set_constants(std::function<Scalar(const Number&)> of_number) { of_number_ = std::move(of_number); }
 
   /// Gives a definition its value, at every state: what a header has as a literal.
-  void fix(ValueNumber value_number, Scalar value) { fixed_.insert_or_assign(value_number, std::move(value)); }
+  void fix(ValueNumber value_number, Scalar value) {
+    fixed_.insert_or_assign(value_number, std::move(value));
+    if (static_cast<std::size_t>(value_number) < parts_.size()) parts_[static_cast<std::size_t>(value_number)].reset();
+  }
 
   Scalar operator()(const Value& value) {
     grow();
@@ -43,6 +46,37 @@ class Evaluator {
     if (!value_number) return of_sum(value.polynomial());
     know(*value_number);
     return *known_[static_cast<std::size_t>(*value_number)].value;
+  }
+
+  /// A value that was looked up once, for many states: to find the formula of a sum takes as long as to evaluate it.
+  class Ready {
+    friend class Evaluator;
+    std::optional<Scalar> constant;
+    std::optional<ValueNumber> definition;
+    bool minus = false;  ///< that definition
+    FormulaCode::Part part{};
+  };
+  Ready ready(const Value& value) {
+    Ready result;
+    result.definition = value.value_number();
+    if (result.definition) return result;
+    const Polynomial& sum = value.polynomial();
+    result.definition = minus_which(sum);
+    result.minus = result.definition.has_value();
+    if (result.minus) return result;
+    result.part = without_number(sum);
+    if constexpr (!std::is_same_v<Scalar, Real>) {  // whose digits may change
+      if (sum.is_constant()) result.constant = of_part(result.part);
+    }
+    return result;
+  }
+  Scalar operator()(const Ready& value) {
+    if (value.constant) return *value.constant;
+    grow();
+    if (!value.definition) return of_part(value.part);
+    know(*value.definition);
+    const Scalar& known = *known_[static_cast<std::size_t>(*value.definition)].value;
+    return value.minus ? Scalar(-known) : known;
   }
 
   /// All of them, in order.
@@ -89,18 +123,22 @@ class Evaluator {
     return *known;
   }
 
+  // The definition that a sum is minus of.
+  std::optional<ValueNumber> minus_which(const Polynomial& sum) const {
+    const std::vector<Term>& terms = sum.terms();
+    const bool one = terms.size() == 1 && terms[0].monomial.size() == 1 && terms[0].monomial[0].exponent == 1;
+    return one && terms[0].coefficient == minus_one_ ? std::optional(terms[0].monomial[0].value_number) : std::nullopt;
+  }
+
   // Most entries of a Jacobian are zero, or minus a definition: neither is looked up.
   Scalar of_sum(const Polynomial& sum) {
-    const std::vector<Term>& terms = sum.terms();
-    if (terms.empty() && zero_) return *zero_;
-    if (terms.size() == 1 && terms[0].monomial.size() == 1 && terms[0].monomial[0].exponent == 1 &&
-        terms[0].coefficient == minus_one_) {
-      const ValueNumber of = terms[0].monomial[0].value_number;
-      know(of);
-      return -*known_[static_cast<std::size_t>(of)].value;
+    if (sum.terms().empty() && zero_) return *zero_;
+    if (const std::optional<ValueNumber> of = minus_which(sum)) {
+      know(*of);
+      return -*known_[static_cast<std::size_t>(*of)].value;
     }
     const Scalar& result = of_part(without_number(sum));
-    if (terms.empty()) zero_ = result;
+    if (sum.terms().empty()) zero_ = result;
     return result;
   }
 
@@ -149,16 +187,25 @@ class Evaluator {
   void know(ValueNumber value_number) {
     const auto index = static_cast<std::size_t>(value_number);
     if (known_[index].state == state_) return;
+    if (parts_[index]) {
+      known_[index].value = of_part(*parts_[index]);
+    } else {
+      look_up(value_number);
+    }
+    known_[index].state = state_;
+  }
+
+  void look_up(ValueNumber value_number) {
+    const auto index = static_cast<std::size_t>(value_number);
     const Definition& definition = (*program_)[value_number];
     if (definition.symbol) {
       known_[index].value = symbol_value_(definition.symbol);
     } else if (const auto fixed = fixed_.find(value_number); fixed != fixed_.end()) {
       known_[index].value = fixed->second;
     } else {
-      if (!parts_[index]) parts_[index] = code_.add(formula(*program_, definition));
+      parts_[index] = code_.add(formula(*program_, definition));
       known_[index].value = of_part(*parts_[index]);
     }
-    known_[index].state = state_;
   }
 
   const Program* program_;

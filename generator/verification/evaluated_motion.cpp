@@ -135,6 +135,13 @@ EvaluatedMotion::EvaluatedMotion(const Scene& scene, const ModelOptions& options
     for (const Value& entry : row) mass_.back().push_back(program.bind(entry));
   }
   for (Value& rate : position_rates_) rate = program.bind(rate);
+  for (const PivotTest& test : forward_.pivots) ready_pivots_.push_back({ready(test.pivot), ready(test.measure)});
+  for (std::size_t i = 0; i < velocity_count(); ++i) ready_accelerations_.push_back(ready(forward_.assignments[i].value));
+  for (const Value& rate : position_rates_) ready_rates_.push_back(ready(rate));
+  for (const std::vector<Value>& row : mass_) {
+    ready_mass_.emplace_back();
+    for (const Value& entry : row) ready_mass_.back().push_back(ready(entry));
+  }
   rows_ = equations_.constraints();
   for (ConstraintRow& row : rows_) {
     row.value = program.bind(row.value);
@@ -195,7 +202,7 @@ bool EvaluatedMotion::slope(double t, const std::vector<double>& y, std::vector<
   const std::vector<std::size_t>& kept = equations_.redundancy().kept;
   for (std::size_t k = 0; k < forward_.pivots.size(); ++k) {
     const PivotTest& test = forward_.pivots[k];
-    const double pivot = here_(test.pivot), measure = std::abs(here_(test.measure));
+    const double pivot = here_(ready_pivots_[k].pivot), measure = std::abs(here_(ready_pivots_[k].measure));
     constexpr double one = std::numeric_limits<double>::epsilon();
     if (pivot > (test.of_several_rows ? many_roundings::in_double : 1) * one * measure) continue;
     if (!test.of_several_rows) return false;
@@ -209,10 +216,8 @@ bool EvaluatedMotion::slope(double t, const std::vector<double>& y, std::vector<
     lost_ = &rows_[j];
     return false;
   }
-  for (std::size_t i = 0; i < position_count_; ++i) rates[i] = here_(position_rates_[i]);
-  for (std::size_t i = 0; i < velocity_count(); ++i) {
-    rates[position_count_ + i] = here_(forward_.assignments[i].value);  // accelerations come first
-  }
+  for (std::size_t i = 0; i < position_count_; ++i) rates[i] = here_(ready_rates_[i]);
+  for (std::size_t i = 0; i < velocity_count(); ++i) rates[position_count_ + i] = here_(ready_accelerations_[i]);
   return finite(rates);
 }
 

@@ -45,9 +45,12 @@ class EvaluatedMotion {
   /// Moves to a state, where `value` then evaluates.
   void move_to(double t, const std::vector<double>& y);
   double value(const Value& of) { return here_(of); }
+  using Ready = Evaluator<double>::Ready;
+  Ready ready(const Value& of) { return here_.ready(of); }
+  double value(const Ready& of) { return here_(of); }
   void normalise(std::vector<double>& y) const;  ///< quaternions to norm 1
-  double position_rate(std::size_t i) { return here_(position_rates_[i]); }
-  double mass(std::size_t i, std::size_t j) { return here_(mass_[i][j]); }
+  double position_rate(std::size_t i) { return here_(ready_rates_[i]); }
+  double mass(std::size_t i, std::size_t j) { return here_(ready_mass_[i][j]); }
   const ConstraintRow& constraint(std::size_t j) const { return rows_[j]; }
   /// λ_j of the motion.
   double multiplier(std::size_t j) { return here_(forward_.assignments[velocity_count() + j].value); }
@@ -103,6 +106,10 @@ class EvaluatedMotion {
   std::unordered_map<const Symbol*, double> values_;  // looked up only
   Evaluator<double> here_;
   Kernel forward_, energy_, integrals_;
+  struct ReadyPivot { Ready pivot, measure; };
+  std::vector<ReadyPivot> ready_pivots_;  ///< of forward_
+  std::vector<Ready> ready_accelerations_, ready_rates_;
+  std::vector<std::vector<Ready>> ready_mass_;
   std::vector<Value> position_rates_;
   std::vector<std::vector<Value>> mass_;
   std::vector<ConstraintRow> rows_;

@@ -43,6 +43,27 @@ TEST(Evaluator, RoundsConstantsOnceFromTheirExactValue) {
   EXPECT_LT(abs(exact(program.lower(0.1_r)) * Real(10) - Real(1)).to_double(), 1e-79);
 }
 
+TEST(Evaluator, KnowsWhatWasMadeReadyAtEveryState) {
+  Program program;
+  const Expression x = make_symbol("x"), y = make_symbol("y");
+  std::vector<Value> values;
+  const std::vector<Expression> formulas{x, -x, Expression(0), Expression(-3), x + y, -sin(x), x * y - 2};
+  for (const Expression& each : formulas) values.push_back(program.lower(each));
+  values.push_back(program.bind(program.lower(x - y)));
+  Evaluator<double> evaluate(program, [](const SymbolPointer&) { return 0.5; });
+  std::vector<Evaluator<double>::Ready> ready;
+  for (const Value& value : values) ready.push_back(evaluate.ready(value));
+  for (const double at : {0.5, -1.25}) {
+    evaluate.move_to([at](const SymbolPointer& symbol) { return symbol->name == "x" ? at : 7 * at; });
+    for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(evaluate(ready[i]), evaluate(values[i])) << i;
+    EXPECT_EQ(evaluate(ready[4]), 8 * at);
+    EXPECT_EQ(evaluate(program.lower(x * y * 11)), 77 * at * at);  // the program has grown
+  }
+  evaluate.fix(*values[7].value_number(), 4);
+  evaluate.move_to([](const SymbolPointer&) { return 1.0; });
+  EXPECT_EQ(evaluate(ready[7]), 4);
+}
+
 TEST(Evaluator, AsksForEachSymbolOnceAndForgetsItWhenMoved) {
   Program program;
   const Expression x = make_symbol("x");
