@@ -17,6 +17,7 @@
 #include "torsor/generator/printing/eliminated_multipliers.hpp"
 #include "torsor/generator/printing/first_integrals.hpp"
 #include "torsor/generator/printing/integrable_conditions.hpp"
+#include "torsor/generator/printing/kinks_of_state.hpp"
 #include "torsor/generator/printing/lagrange_equations.hpp"
 #include "torsor/generator/printing/linearised_equations.hpp"
 #include "torsor/generator/printing/notation.hpp"
@@ -309,6 +310,7 @@ class Printer {
                         "constraints come beside it."));
       if (!options_.about.empty()) what_the_state_leaves();
     }
+    if (!options_.about.empty()) kinks();
     matrix("M", linear.M);
     matrix("C", linear.C);
     matrix("K", linear.K);
@@ -329,6 +331,22 @@ class Printer {
         page_.note(say("What the state leaves of {} must vanish; it is too long to be written out.", what));
       }
     }
+  }
+
+  /// About a state where forces have two values, or slopes, the matrices are those of one form alone, or of none.
+  void kinks() {
+    const Equations& equations = equations_.definitions();
+    AtState::Named state;
+    for (const auto& [symbol, value] : named_state(scene_, options_.about)) state.emplace_back(symbol, value);
+    const Kinks kinks = kinks_of_state(equations, state);
+    if (kinks.conditions.empty()) return;
+    page_.note(say("There is no linearisation: forces or their slopes have two values at this state, one on either side of"));
+    InlineView view(equations.program(), {options_.terms, options_.expansion}, scene_.content());
+    for (const Value& condition : kinks.conditions) {
+      if (const std::optional<Sum> written = view.sum(condition)) page_.equation("", collected(*written), {}, "");
+    }
+    if (!kinks.laws.empty()) page_.note(say("Laws with two forms there: {}.", fmt::format("{}", fmt::join(kinks.laws, ", "))));
+    page_.note(say("The matrices are those of one form, or of what stands between them."));
   }
 
   static SumMatrix column(const std::vector<Sum>& entries) {

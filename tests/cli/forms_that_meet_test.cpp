@@ -123,6 +123,32 @@ TEST(FormsThatMeet, OfRatesLeaveTheLinearisedEquationsUnjudged) {
   EXPECT_NE(text.find("Cannot conclude: forces or their slopes have two values", hurwitz), std::string::npos) << text;
 }
 
+std::string equations(Scene (*scene)(), std::vector<std::string> about) {
+  about.insert(about.begin(), "equations");
+  const Outcome outcome = run(scene, about);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  return outcome.out;
+}
+
+TEST(FormsThatMeet, AreToldWithTheirLawsBesideLinearisedEquations) {
+  const auto told = [](const std::string& text, const std::string& condition, const std::string& law) {
+    const std::size_t note = text.find("There is no linearisation: forces or their slopes have two values at this state");
+    EXPECT_NE(note, std::string::npos) << text;
+    const std::string what = "  " + condition + " = 0\n  Laws with two forms there: " + law + ".\n  The matrices are";
+    EXPECT_NE(text.find(what, note), std::string::npos) << text;
+  };
+  told(equations(rubbing, {"--about", "x=0"}), "x'", "friction");
+  told(equations(&on_a_rail<cusp>, {"--about", "x=0"}), "x", "elastic");
+  // What the state leaves open is on one side.
+  told(equations(&in_a_plane<nested>, {"--about", "x=0"}), "x", "elastic");
+  for (const std::string& text :
+       {equations(&on_a_rail<bowl>, {"--about", "x=0"}), equations(&on_a_rail<smooth>, {"--about", "x=0"}),
+        equations(&on_a_rail<cusp>, {"--about", "x=1/2"}), equations(&on_a_rail<cusp>, {}),
+        equations(rubbing, {"--about", "x=0", "--about", "x'=1"})}) {
+    EXPECT_EQ(text.find("no linearisation"), std::string::npos) << text;
+  }
+}
+
 /// The ends of a spring that is longer at rest meet at x = z = 0.
 Scene slack() {
   Scene scene("slack");

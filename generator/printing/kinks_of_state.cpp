@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "torsor/generator/printing/kinks_of_state.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "torsor/generator/dynamics/derivatives/linearisation.hpp"
+#include "torsor/generator/dynamics/forces/actions.hpp"
+#include "torsor/generator/dynamics/motion/initial_numbers.hpp"
+#include "torsor/generator/dynamics/theorems/forms_that_meet.hpp"
+#include "torsor/generator/program/derivative.hpp"
+
+namespace torsor::printing {
+namespace {
+
+constexpr int digits = 50;
+
+bool has_two_forms(const Program& program, const std::vector<Value>& values) {
+  const std::vector<ValueNumber> live = program.live(values);
+  return std::any_of(live.begin(), live.end(), [&](ValueNumber value_number) {
+    const std::optional<Function> function = program[value_number].function;
+    return function && traits_of(*function).selects;
+  });
+}
+
+/// What the state leaves open has a number that no condition is about, inputs have none.
+Evaluator<Real>::SymbolValue numbers_of(InitialNumbers& scene) {
+  return [&scene](const SymbolPointer& symbol) {
+    if (symbol->kind == SymbolKind::input) return Real(0);
+    if (symbol->kind == SymbolKind::parameter || symbol->kind == SymbolKind::pi) return scene(symbol);
+    return Real(Number::rational(10007 + symbol->index * 7919L % 4007, 4007), Real::working_digits());
+  };
+}
+
+}  // namespace
+
+Kinks kinks_of_state(const Equations& equations, const AtState::Named& state) {
+  Program& program = equations.program();
+  std::vector<Value> values = equations.bias();
+  if (!has_two_forms(program, values)) return {};
+  const WorkingDigits precision(digits);
+  InitialNumbers scene(equations.scene());
+  const AtState at(equations, state);
+  const auto meeting = [&](const std::vector<Value>& of) { return forms_that_meet(program, of, at, numbers_of(scene)); };
+  const Linearisation linear = linearisation(equations);
+  for (const ValueMatrix* matrix : {&linear.M, &linear.C, &linear.K}) {
+    for (const std::vector<Value>& row : *matrix) values.insert(values.end(), row.begin(), row.end());
+  }
+  Kinks kinks{meeting(values), {}};
+  if (kinks.conditions.empty()) return kinks;
+  for (const ActionContent& action : equations.scene().content().actions) {
+    const std::string& name = name_of(action);
+    const AppliedActions alone =
+        applied_actions(equations.model(), [&](const ActionContent& other) { return name_of(other) == name; });
+    std::vector<Value> forces = applied_forces(equations.model(), alone);
+    if (!has_two_forms(program, forces)) continue;
+    const std::size_t count = forces.size();
+    for (const CoordinateContent& c : equations.scene().content().coordinates) {
+      for (const SymbolPointer& symbol : symbols_of(c)) {
+        if (symbol->kind == SymbolKind::acceleration) continue;
+        auto slope = partial_derivation(program, symbol);
+        for (std::size_t i = 0; i < count; ++i) forces.push_back(slope(forces[i]));
+      }
+    }
+    if (!meeting(forces).empty()) kinks.laws.push_back(name);
+  }
+  return kinks;
+}
+
+}  // namespace torsor::printing
