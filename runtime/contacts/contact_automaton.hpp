@@ -42,6 +42,9 @@ class ContactAutomaton {
   /// Whether what a step lost sight of ends there: a gap that falls and is zero to rounding, after a flight too short to
   /// be followed; or a slip near its end, smaller than what the method's errors leave of it; or the youth of one that has a speed.
   [[nodiscard]] bool ends_unfollowed(std::size_t index, double t, std::span<const double> y);
+  /// Whether a gap that fell through zero by what a step shows does not fall, by its velocity and its acceleration, beyond
+  /// rounding: as one that has just opened, of which an interpolant of a long step has errors larger than its first rise.
+  [[nodiscard]] bool does_not_fall(std::size_t index, double t, std::span<const double> y);
   /// Whether a force that a step lost sight of came to its bound by rounding alone: it is watched from above from there on.
   bool holds_on(std::size_t index, double t, std::span<const double> y);
   /// Whether steps that fell below the resolution of time did so because slips jam: then the motion ends with `jams`.
@@ -85,7 +88,7 @@ class ContactAutomaton {
     double left = std::numeric_limits<double>::lowest();  ///< time at which its flight began: it opened, or struck
     /// Until then an impact is the end of its bounces: others with which it struck in turn have come to theirs.
     double ends_by = std::numeric_limits<double>::lowest();
-    double doubt = 1;  ///< doubled by each flight that did not leave the rounding of the gap
+    double doubt = 1;  ///< doubled by each flight that did not leave the rounding of the gap, up to `most_doubt`
 
     /// An accumulation has ended: the next bounces tell of another.
     void begin_anew() noexcept {
@@ -95,6 +98,10 @@ class ContactAutomaton {
       speed = 0;
     }
   };
+
+  /// A contact that still opens and strikes without a flight then holds by no force beyond some millionths: events without
+  /// end are told as such.
+  static constexpr double most_doubt = 1 << 20;
 
   static constexpr std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
   [[nodiscard]] int count() const noexcept { return motion_.count(); }

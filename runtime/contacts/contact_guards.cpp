@@ -79,6 +79,13 @@ bool ContactAutomaton::ends_unfollowed(std::size_t index, double t, std::span<co
   return watched == Watched::slip_or_margin && state.touches && state.fades && motion_.slip_speed(i) <= motion_.slow(i);
 }
 
+bool ContactAutomaton::does_not_fall(std::size_t index, double t, std::span<const double> y) {
+  if (!barrier(index) || motion_.solve(t, y) != Evaluation::ok) return false;
+  const int i = static_cast<int>(index / guards), n = motion_.first_row(i);
+  return motion_.reading().w(n) >= -64 * motion_.rounding_of(n) &&
+         motion_.gap_acceleration(i) >= -1e-12 * motion_.acceleration_terms(i);
+}
+
 // A force that comes to its bound and goes back, but for rounding, has no event: rest persists where it can.
 bool ContactAutomaton::holds_on(std::size_t index, double t, std::span<const double> y) {
   if (index >= guards * bounces_.size()) return false;

@@ -173,7 +173,7 @@ bool ContactAutomaton::strike(int contact) {
   // A floor may fall faster than a body on it for so short a time that the gap opens by less than its rounding: it strikes
   // where it opened, and would open again without end. It is closed until it is drawn away twice as fast.
   const bool rose = speed * (result_.time - bounces.left) > 16 * rounding || leaves_rounding(contact, speed);
-  bounces.doubt = rose ? 1 : 2 * bounces.doubt;
+  bounces.doubt = rose ? 1 : std::min(2 * bounces.doubt, most_doubt);
   const double last_flight = result_.time - bounces.left;
   bounces.left = result_.time;
   // Where the flights left rise by less than 1e6 roundings of the gap, the next impacts are known less well.

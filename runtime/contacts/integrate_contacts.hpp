@@ -167,6 +167,9 @@ class ContactRun {
       if (automaton_.holds_on(piece.guard, piece.time, y_)) return true;
       if (has_longest_step && careful_.repeat(piece.time, step_start, piece.integration.time)) return true;
     }
+    if (piece.status == EventStatus::stopped_at_event && automaton_.does_not_fall(piece.guard, piece.time, y_)) {
+      if (has_longest_step && careful_.repeat(piece.time, step_start, piece.integration.time)) return true;
+    }
     if (piece.status != EventStatus::stopped_at_event && !here) {
       if (piece.integration.status == IntegrationStatus::step_too_small) {
         if (automaton_.jams_nearly(piece.time, y_)) return false;
