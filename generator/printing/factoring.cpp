@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <tuple>
+#include <utility>
 
 namespace torsor::printing {
 namespace {
@@ -206,14 +207,32 @@ std::optional<Sum> square_root(const Sum& sum) {
   return compare(root * root, sum) == 0 ? std::optional<Sum>(root) : std::nullopt;
 }
 
+// Where all coefficients of a square's root are those of one root of 2, 3 or 6, that number, which stands before the square of what
+// is left: 2 (m + 3)^2.
+Number taken_out(Sum& root) {
+  for (const auto& [unit, square] : {std::pair(Number::sqrt2(), 2), std::pair(Number::sqrt3(), 3),
+                                     std::pair(Number::sqrt2() * Number::sqrt3(), 6)}) {
+    Sum left;
+    bool rational = true;
+    for (const auto& [product, coefficient] : root.terms()) {
+      left.add(product, coefficient / unit);
+      rational = rational && (coefficient / unit).is_rational();
+    }
+    if (!rational) continue;
+    root = left;
+    return Number(square);
+  }
+  return Number(1);
+}
+
 WrittenTerm as_term(const Sum& sum) {
   if (sum.size() == 1) return plain(sum)[0];
   const Number number = common_number(sum);
   const Product common = common_factor(sum);
   Sum rest;
   for (const auto& [product, coefficient] : sum.terms()) rest.add(product * inverse(common), coefficient / number);
-  WrittenTerm term{number, written(common)};
-  const std::optional<Sum> root = square_root(rest);
+  std::optional<Sum> root = square_root(rest);
+  WrittenTerm term{root ? number * taken_out(*root) : number, written(common)};
   Written inside = factored(root.value_or(rest));
   if (constants_first(inside) && !root) term.coefficient = -term.coefficient;
   term.factors.push_back(parenthesised(std::move(inside)));

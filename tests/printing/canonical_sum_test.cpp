@@ -6,6 +6,7 @@
 #include <ginac/ginac.h>
 
 #include "torsor/generator/base/error.hpp"
+#include "torsor/generator/printing/factoring.hpp"
 #include "torsor/generator/printing/inline_view.hpp"
 #include "torsor/generator/printing/notation.hpp"
 #include "torsor/generator/printing/trigonometry.hpp"
@@ -51,6 +52,13 @@ TEST_F(CanonicalSum, KeepsTheRootOfASumAndMultipliesItsSquareOut) {
   EXPECT_EQ(written(a * root), "a sqrt(x^2 + y^2)");
   EXPECT_EQ(compare(root * root, plus(x * x, y * y)), std::strong_ordering::equal);
   EXPECT_EQ(written(x * power(plus(x * x, y * y), -1)), "x/sqrt(x^2 + y^2)");
+}
+
+TEST_F(CanonicalSum, WritesTheNumberOfASquareBeforeItWhereItsRootIsNone) {
+  const Sum each = plus(Number::rational(9, 1000) * m, Sum(Number::rational(3, 1000)));
+  EXPECT_EQ(text({as_term(Number(2) * each * each * x)}), "2 (0.009 m + 0.003)^2 x");
+  EXPECT_EQ(text({as_term(Number(6) * each * each * x)}), "6 (0.009 m + 0.003)^2 x");
+  EXPECT_EQ(text({as_term(each * each * x)}), "(0.009 m + 0.003)^2 x");
 }
 
 TEST_F(CanonicalSum, TakesSignsOutOfSinesAndCosines) {
