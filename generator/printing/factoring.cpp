@@ -207,8 +207,8 @@ std::optional<Sum> square_root(const Sum& sum) {
   return compare(root * root, sum) == 0 ? std::optional<Sum>(root) : std::nullopt;
 }
 
-// Where all coefficients of a square's root are those of one root of 2, 3 or 6, that number, which stands before the square of what
-// is left: 2 (m + 3)^2.
+// Where all coefficients of a square's root are those of one root of 2, 3 or 6, that number, which stands before the square of
+// what is left: 2 (m + 3)^2.
 Number taken_out(Sum& root) {
   for (const auto& [unit, square] : {std::pair(Number::sqrt2(), 2), std::pair(Number::sqrt3(), 3),
                                      std::pair(Number::sqrt2() * Number::sqrt3(), 6)}) {

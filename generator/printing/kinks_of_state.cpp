@@ -19,16 +19,16 @@ bool has_two_forms(const Program& program, const std::vector<Value>& values) {
   const std::vector<ValueNumber> live = program.live(values);
   return std::any_of(live.begin(), live.end(), [&](ValueNumber value_number) {
     const std::optional<Function> function = program[value_number].function;
-    return function && traits_of(*function).selects;
+    return function && (traits_of(*function).selects || *function == Function::atan2);
   });
 }
 
-/// What the state leaves open has a number that no condition is about, inputs have none.
+/// What the state leaves open is beside the scene's start, by a millionth that no condition is about: formulas have values there.
 Evaluator<Real>::SymbolValue numbers_of(InitialNumbers& scene) {
   return [&scene](const SymbolPointer& symbol) {
-    if (symbol->kind == SymbolKind::input) return Real(0);
     if (symbol->kind == SymbolKind::parameter || symbol->kind == SymbolKind::pi) return scene(symbol);
-    return Real(Number::rational(10007 + symbol->index * 7919L % 4007, 4007), Real::working_digits());
+    const Real beside(Number::rational(10007 + symbol->index * 7919L % 4007, 4'007'000'000L), Real::working_digits());
+    return symbol->kind == SymbolKind::input ? beside : scene(symbol) + beside;
   };
 }
 
@@ -36,16 +36,16 @@ Evaluator<Real>::SymbolValue numbers_of(InitialNumbers& scene) {
 
 Kinks kinks_of_state(const Equations& equations, const AtState::Named& state) {
   Program& program = equations.program();
+  const Linearisation linear = linearisation(equations);
   std::vector<Value> values = equations.bias();
+  for (const ValueMatrix* matrix : {&linear.M, &linear.C, &linear.K, &linear.E}) {
+    for (const std::vector<Value>& row : *matrix) values.insert(values.end(), row.begin(), row.end());
+  }
   if (!has_two_forms(program, values)) return {};
   const WorkingDigits precision(digits);
   InitialNumbers scene(equations.scene());
   const AtState at(equations, state);
   const auto meeting = [&](const std::vector<Value>& of) { return forms_that_meet(program, of, at, numbers_of(scene)); };
-  const Linearisation linear = linearisation(equations);
-  for (const ValueMatrix* matrix : {&linear.M, &linear.C, &linear.K}) {
-    for (const std::vector<Value>& row : *matrix) values.insert(values.end(), row.begin(), row.end());
-  }
   Kinks kinks{meeting(values), {}};
   if (kinks.conditions.empty()) return kinks;
   for (const ActionContent& action : equations.scene().content().actions) {

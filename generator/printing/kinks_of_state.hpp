@@ -14,7 +14,8 @@ struct Kinks {
   std::vector<std::string> laws;  ///< names of the actions whose own forces, or slopes of them, have two values
 };
 
-/// Parameters have the scene's values; what else the state leaves open has any.
+/// Of the forces and of the matrices M, C, K and E of the linearised equations. Parameters have the scene's values; coordinates,
+/// velocities and inputs that the state does not give have numbers beside those of the scene's start.
 Kinks kinks_of_state(const Equations& equations, const AtState::Named& state);
 
 }  // namespace torsor::printing

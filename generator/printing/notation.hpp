@@ -46,13 +46,13 @@ std::string accented(std::string sentence);
 /// As a person writes it: 0.05 where the decimal ends within 24 places, else the fraction or surd. A fraction of more than
 /// 17 digits is cut after as many as a double has: 0.96802767481536424...
 std::string decimal_text(const Number& number);
-/// Such a decimal in LaTeX.
+/// Such a decimal of a rational number in LaTeX.
 std::string dots_in_latex(const std::string& decimal);
 /// The value of a parameter: a decimal; with a power of ten where that has many zeros, 5e-9 or 5 \cdot 10^{-9}.
 std::string value_text(const Number& number);
 std::string value_latex(const Number& number);
 /// Whether a decimal is read sooner than a fraction: 0.01 and 0.0005, but 1/2, 3/80 and 1/12. Hundredths, thousandths and
-/// what is finer are written alike.
+/// what is finer are written alike. So is a fraction of more than 17 digits.
 bool is_read_as_decimal(const cln::cl_RA& number);
 /// A number before a formula: a fraction unless it is read as a decimal, where that ends.
 std::string coefficient_text(const Number& number);

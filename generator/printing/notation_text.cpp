@@ -124,8 +124,8 @@ std::string text_lines(const Written& written, std::size_t first_column, const s
 
 namespace {
 
-/// The first digits of a fraction that nobody reads, as many as a double has, and dots: 0.96802767... or 1.25...e-7, also
-/// where it stands before a root. None: it is written as it is.
+/// The first digits of a fraction of more than 17 digits, as many as a double has, and dots: 0.96802809299417873... or
+/// 3.3333333333333333...e-18. None: it is written as it is.
 std::optional<std::string> first_digits(const cln::cl_RA& size) {
   constexpr int count = 17;
   const std::string over = Number(cln::numerator(size)).to_string(), under = Number(cln::denominator(size)).to_string();
@@ -198,14 +198,13 @@ std::string value_latex(const Number& number) {
 std::string dots_in_latex(const std::string& decimal) {
   const std::size_t dots = decimal.find("...");
   if (dots == std::string::npos) return decimal;
-  const std::size_t power = decimal.find('e', dots);
-  const std::string last = power == std::string::npos ? "" : fmt::format(" \\cdot 10^{{{}}}", decimal.substr(power + 1));
-  return decimal.substr(0, dots) + "\\ldots" + last;
+  const std::string power = decimal.substr(dots + 3);  // nothing, or e-7
+  return decimal.substr(0, dots) + "\\ldots" + (power.empty() ? "" : fmt::format(" \\cdot 10^{{{}}}", power.substr(1)));
 }
 
 bool is_read_as_decimal(const cln::cl_RA& number) {
   const cln::cl_I denominator = cln::denominator(number);
-  if (denominator > 1000) return true;
+  if (denominator > 1000 || (denominator > 1 && cln::abs(cln::numerator(number)) > cln::expt_pos(cln::cl_I(10), 17))) return true;
   const auto divides = [&](int by) { return cln::rem(denominator, by) == 0; };
   return divides(25) || (divides(5) && denominator > 100);
 }

@@ -343,7 +343,11 @@ class Printer {
     page_.note(say("There is no linearisation: forces or their slopes have two values at this state, one on either side of"));
     InlineView view(equations.program(), {options_.terms, options_.expansion}, scene_.content());
     for (const Value& condition : kinks.conditions) {
-      if (const std::optional<Sum> written = view.sum(condition)) page_.equation("", collected(*written), {}, "");
+      if (const std::optional<Sum> written = view.sum(condition)) {
+        page_.equation("", collected(*written), {}, "");
+      } else {
+        page_.note(say("a condition that is too long to be written out"));
+      }
     }
     if (!kinks.laws.empty()) page_.note(say("Laws with two forms there: {}.", fmt::format("{}", fmt::join(kinks.laws, ", "))));
     page_.note(say("The matrices are those of one form, or of what stands between them."));

@@ -106,7 +106,9 @@ class EvaluatedMotion {
   std::unordered_map<const Symbol*, double> values_;  // looked up only
   Evaluator<double> here_;
   Kernel forward_, energy_, integrals_;
-  struct ReadyPivot { Ready pivot, measure; };
+  struct ReadyPivot {
+    Ready pivot, measure;
+  };
   std::vector<ReadyPivot> ready_pivots_;  ///< of forward_
   std::vector<Ready> ready_accelerations_, ready_rates_;
   std::vector<std::vector<Ready>> ready_mass_;

@@ -43,7 +43,7 @@ class ContactAutomaton {
   /// be followed; or a slip near its end, smaller than what the method's errors leave of it; or the youth of one that has a speed.
   [[nodiscard]] bool ends_unfollowed(std::size_t index, double t, std::span<const double> y);
   /// Whether a gap that fell through zero by what a step shows does not fall, by its velocity and its acceleration, beyond
-  /// rounding: as one that has just opened, of which an interpolant of a long step has errors larger than its first rise.
+  /// rounding: just after a lift-off the interpolant of a long step errs by more than the gap has risen.
   [[nodiscard]] bool does_not_fall(std::size_t index, double t, std::span<const double> y);
   /// Whether a force that a step lost sight of came to its bound by rounding alone: it is watched from above from there on.
   bool holds_on(std::size_t index, double t, std::span<const double> y);
@@ -99,8 +99,8 @@ class ContactAutomaton {
     }
   };
 
-  /// A contact that still opens and strikes without a flight then holds by no force beyond some millionths: events without
-  /// end are told as such.
+  /// Beyond it a contact would be held against forces of more than some millionths of those that act. One that opens and
+  /// strikes without a flight even so ends the motion by `too_many_events`.
   static constexpr double most_doubt = 1 << 20;
 
   static constexpr std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }

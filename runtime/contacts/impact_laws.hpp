@@ -37,8 +37,8 @@ struct ImpactResult {
   PerContact<bool> closed{};  ///< w_N = 0 after
   PerContact<bool> sticks{};  ///< w_T = 0 after
   ContactVerdict verdict = ContactVerdict::none;
-  /// Where several impulses fulfil the law of all contacts at once: regimes of each, those taken first. Of Poisson's law, those of
-  /// the first of its two phases that has several.
+  /// Where several impulses fulfil the law of all contacts at once: regimes of each, those taken first. Of Poisson's law,
+  /// those of the first of its two phases that has several.
   std::array<PerContact<ContactRegime>, ContactAnswer::kept> found{};
   std::size_t found_count = 0;
   double residual = 0;

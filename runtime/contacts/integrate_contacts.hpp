@@ -150,14 +150,17 @@ class ContactRun {
     const auto piece = integrate_pieces(run, smooth_, y_, result.time, end, method, events, ignore, steps);
     // Behind an event equations are others, or have been for a while.
     if (piece.status != EventStatus::reached_end || careful) run_.reset();
-    if (piece.status == EventStatus::stopped_at_event) careful_ = {};
+    const bool stopped = piece.status == EventStatus::stopped_at_event;
+    const bool repeats = has_longest_step && stopped && automaton_.does_not_fall(piece.guard, piece.time, y_) &&
+                         careful_.repeat(piece.time, step_start, piece.integration.time);
+    if (stopped && !repeats) careful_ = {};
     result.time = piece.time;
     Statistics all = result.integration.statistics;
     all += piece.integration.statistics;
     result.integration = piece.integration;
     result.integration.statistics = all;
     result.integration_event = piece.status;
-    if (piece.status == EventStatus::reached_end) return true;
+    if (piece.status == EventStatus::reached_end || repeats) return true;
     if (piece.status == EventStatus::stopped_by_observer) {
       return automaton_.end(ContactStatus::stopped_by_observer, std::nullopt);
     }
@@ -165,9 +168,6 @@ class ContactRun {
                       automaton_.ends_unfollowed(piece.guard, piece.time, y_);
     if (piece.status == EventStatus::guard_not_followed && !here) {
       if (automaton_.holds_on(piece.guard, piece.time, y_)) return true;
-      if (has_longest_step && careful_.repeat(piece.time, step_start, piece.integration.time)) return true;
-    }
-    if (piece.status == EventStatus::stopped_at_event && automaton_.does_not_fall(piece.guard, piece.time, y_)) {
       if (has_longest_step && careful_.repeat(piece.time, step_start, piece.integration.time)) return true;
     }
     if (piece.status != EventStatus::stopped_at_event && !here) {

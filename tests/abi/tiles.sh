@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# tiles.sh CXX SOURCE FOLDER: tiles.cpp without vector registers but those of every processor, and with the widest that this
-# one has; with TORSOR_LONG_TESTS for each set between them too.
+# tiles.sh CXX SOURCE FOLDER: tiles.cpp with the registers that every processor has, and with the widest that this one has; with TORSOR_LONG_TESTS for each set between them too.
 set -euo pipefail
 cxx="$1" source="$2" folder="$3"
 rm -rf "$folder"

@@ -130,6 +130,31 @@ std::string equations(Scene (*scene)(), std::vector<std::string> about) {
   return outcome.out;
 }
 
+/// Friction of a guide half a metre wide, an angle about the origin, a motor with two gears.
+Scene guided() {
+  Scene scene("guided");
+  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), L = Expression::quantity("1/2", "m");
+  const FrameHandle across = scene.prismatic("across", scene.ground(), axis::x, x);
+  scene.body("bead", scene.prismatic("along", across, axis::y, y), Inertia::point(Expression::quantity("2", "kg")));
+  scene.generalised_force("rub", y, -Expression::quantity("1", "N") * sign(rate(x)) * y / sqrt(L * L - y * y));
+  return scene;
+}
+Scene turned() {
+  Scene scene("turned");
+  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), k = scene.parameter("k", "N/m", 4);
+  const FrameHandle across = scene.prismatic("across", scene.ground(), axis::x, x);
+  scene.body("bead", scene.prismatic("along", across, axis::y, y), Inertia::point(Expression::quantity("2", "kg")));
+  scene.generalised_force("turn", y, -k * metre() * atan2(x, y));
+  return scene;
+}
+Scene geared() {
+  Scene scene("geared");
+  const Expression x = scene.coordinate("x", "m");
+  scene.body("bead", scene.prismatic("rail", scene.ground(), axis::x, x), Inertia::point(Expression::quantity("2", "kg")));
+  scene.motor("u", piecewise({{x < origin(), 2 * x}}, x));
+  return scene;
+}
+
 TEST(FormsThatMeet, AreToldWithTheirLawsBesideLinearisedEquations) {
   const auto told = [](const std::string& text, const std::string& condition, const std::string& law) {
     const std::size_t note = text.find("There is no linearisation: forces or their slopes have two values at this state");
@@ -139,6 +164,9 @@ TEST(FormsThatMeet, AreToldWithTheirLawsBesideLinearisedEquations) {
   };
   told(equations(rubbing, {"--about", "x=0"}), "x'", "friction");
   told(equations(&on_a_rail<cusp>, {"--about", "x=0"}), "x", "elastic");
+  told(equations(guided, {"--about", "x=0"}), "x'", "rub");
+  told(equations(turned, {"--about", "x=0", "--about", "y=-1"}), "x", "turn");
+  EXPECT_NE(equations(geared, {"--about", "x=0"}).find("There is no linearisation"), std::string::npos);
   // What the state leaves open is on one side.
   told(equations(&in_a_plane<nested>, {"--about", "x=0"}), "x", "elastic");
   for (const std::string& text :

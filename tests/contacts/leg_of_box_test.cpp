@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "tests/contacts/simple_systems.hpp"
 
@@ -63,15 +64,13 @@ ByHand<4, 4, 3> box_with_leg(double f, double e) {
   return system;
 }
 
-// While it rocks by 1e-10 m the corner and the tip stick, but for rounding, and hold between them a hinge on their line. They do
-// not as it comes down: once that ended as "the model is singular".
-TEST(LegOfBox, RestsOnCornersAndTip) {
-  struct Case {
-    double f, e;
-    ImpactLaw law = ImpactLaw::newton_moreau;
-  };
-  for (const Case& each : {Case{1, 0.2}, Case{0.5, 0.2}, Case{1, 0}, Case{1, 0.2, ImpactLaw::poisson},
-                          Case{1, 0.2, ImpactLaw::sequential}}) {
+struct Case {
+  double f, e;
+  ImpactLaw law = ImpactLaw::newton_moreau;
+};
+
+void expect_rest(const std::vector<Case>& cases) {
+  for (const Case& each : cases) {
     std::array<double, 8> y{0, 0.4, 1.5, -1.45};
     std::array<bool, 3> sticks{};
     const auto watch = [&sticks](const ContactEvent& event) {
@@ -90,6 +89,13 @@ TEST(LegOfBox, RestsOnCornersAndTip) {
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(y[i + 1], rest[i], 1e-14);
     for (std::size_t i = 4; i < 8; ++i) EXPECT_NEAR(y[i], 0, 1e-14);
   }
+}
+
+// While it rocks by 1e-10 m the corner and the tip stick, but for rounding, and hold between them a hinge on their line. They do
+// not as it comes down: once that ended as "the model is singular".
+TEST(LegOfBox, RestsOnCornersAndTip) { expect_rest({{1, 0.2}}); }
+TEST(LegOfBox, RestsAlikeByAllLawsOfImpact) {
+  expect_rest({{0.5, 0.2}, {1, 0}, {1, 0.2, ImpactLaw::poisson}, {1, 0.2, ImpactLaw::sequential}});
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ std::array<double, 2> beginning(const Pull& pull, double speed) {
   // What acts without its own friction gives nearly that direction.
   const double without = std::atan2(pull.y + 3 * pull.moment - 2 * pull.other_bound, pull.x);
   double low = without - 0.7, high = without + 0.7;
-  EXPECT_GT(across(low) * (across(low) - across(high)), 0);
+  EXPECT_LT(across(low) * across(high), 0);
   for (int i = 0; i < 60; ++i) {
     const double middle = (low + high) / 2;
     (across(middle) * across(low) > 0 ? low : high) = middle;
@@ -63,9 +63,9 @@ std::array<double, 2> beginning(const Pull& pull, double speed) {
 
 class SlipBesideSlip : public testing::TestWithParam<Pull> {};
 
-// The second point moves across the bar at 4e-6 m/s, fades and turns towards the pull within a millionth of a second: the first one,
-// which began in the direction that this friction gave it, follows. It was taken to turn by forces alone, went on across its friction
-// or against it, and crept so for ever at a rate that let steps be no longer than 1e-6 s.
+// The second point moves across the bar at 4e-6 m/s, fades and turns towards the pull within a millionth of a second: the
+// first one, which began in the direction that this friction gave it, follows. It was taken to turn by forces alone, went on
+// across its friction or against it, and crept so for ever at a rate that let steps be no longer than 1e-6 s.
 TEST_P(SlipBesideSlip, FollowsItsOwnVelocityWhereTheOtherTurnsQuickly) {
   const Pull pull = GetParam();
   constexpr double speed = 2e-6, end = 1.2e-6, least = 1e-13;

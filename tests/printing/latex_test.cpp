@@ -187,6 +187,7 @@ TEST(DecimalText, CutsFractionsThatNobodyReads) {
   const Number third = parse_decimal("1000000000000000000/3000000000000000001");
   EXPECT_EQ(printing::decimal_text(third + third * Number::sqrt2()), "0.33333333333333333... + 0.33333333333333333... sqrt(2)");
   EXPECT_EQ(printing::coefficient_text(third), "0.33333333333333333...");
+  EXPECT_EQ(printing::coefficient_text(parse_decimal("1000000000000000000000000000001/7")), "1.4285714285714285...e29");
   EXPECT_EQ(printing::value_text(third), "0.33333333333333333...");
   EXPECT_EQ(printing::value_latex(third), "0.33333333333333333\\ldots");
   EXPECT_EQ(printing::value_latex(parse_decimal("1/300000000000000000")), "3.3333333333333333\\ldots \\cdot 10^{-18}");

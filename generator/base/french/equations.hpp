@@ -162,6 +162,7 @@ constexpr Translation french_of_equations[] = {
     {"{}: must hold at this state", "{} : doit être vérifiée à cet état"},
     {"There is no linearisation: forces or their slopes have two values at this state, one on either side of",
      "Il n'y a pas de linéarisation : des forces ou leurs pentes ont deux valeurs à cet état, une de chaque côté de"},
+    {"a condition that is too long to be written out", "une condition d'écriture trop longue"},
     {"Laws with two forms there: {}.", "Lois qui y ont deux formes : {}."},
     {"The matrices are those of one form, or of what stands between them.",
      "Les matrices sont celles d'une des formes, ou de ce qui est entre elles."},
