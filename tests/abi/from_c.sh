@@ -24,6 +24,10 @@ build --output "$folder/lib.so"
 left="$(find "$TORSOR_CACHE" -mindepth 1 ! -name 'contact_layer-*.o')"
 [ "$left" = "$cached" ] || { echo "more than a library is left:"; find "$TORSOR_CACHE"; exit 1; }
 
+# One contact has room for two, not for as many as there can be.
+room="$(nm -C "$folder/lib.so" | grep -o 'library_has_room_for_contacts<[0-9]*>' | sort -u)" || true
+[ -z "$room" ] || [ "$room" = "library_has_room_for_contacts<2>" ] || { echo "the library has another room: $room"; exit 1; }
+
 code=0
 said="$(CXX="$folder/no_such_compiler" "$program" build --kernels energy 2>&1)" || code=$?
 [ $code = 3 ] && [[ "$said" == *"no C++ compiler"*"no_such_compiler"* ]] || { echo "without a compiler, $code: $said"; exit 1; }
