@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/contacts/simple_systems.hpp"
+#include "torsor/runtime/integration/gauss_collocation.hpp"
 #include "torsor/runtime/integration/radau_iia_5.hpp"
 
 namespace sprung_foot_test {
@@ -76,6 +77,18 @@ TEST(SprungFoot, MovesAlikeByMethodsForStiffAndForOtherEquations) {
       EXPECT_EQ(motion.events, expected.events) << leg.stiffness << " " << leg.damping << " " << tolerance;
       EXPECT_NEAR(motion.y[0], expected.y[0], 1e4 * tolerance) << leg.stiffness << " " << leg.damping << " " << tolerance;
     }
+  }
+}
+
+// Steps of one length cannot be taken in shorter ones: impacts follow without a flight until forces draw the foot away beyond what
+// is doubted of them.
+TEST(SprungFoot, LiftsOffByStepsOfOneLength) {
+  for (const double step : {2.5e-4, 4.5e-4}) {
+    Motion motion;
+    motion.result = integrate_contacts(sprung({1e5, 20, 0.01, 0}), motion.y, 0, 0.4,
+                                       GaussCollocation<4, StageSolver::newton>{.step = step}, {}, Observed{motion});
+    EXPECT_EQ(motion.result.status, ContactStatus::reached_end) << step;
+    EXPECT_NEAR(motion.y[0], 0.260431879300, 1e-7) << step;
   }
 }
 
