@@ -80,8 +80,8 @@ TEST(SprungFoot, MovesAlikeByMethodsForStiffAndForOtherEquations) {
   }
 }
 
-// Steps of one length cannot be taken in shorter ones: impacts follow without a flight until forces draw the foot away beyond what
-// is doubted of them.
+// Steps of one length cannot be taken in shorter ones: impacts follow without a flight until forces draw the foot away beyond
+// what is doubted of them.
 TEST(SprungFoot, LiftsOffByStepsOfOneLength) {
   for (const double step : {2.5e-4, 4.5e-4}) {
     Motion motion;
