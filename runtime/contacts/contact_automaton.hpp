@@ -99,9 +99,9 @@ class ContactAutomaton {
     }
   };
 
-  /// Beyond it a contact would be held against forces of more than some thousandths of those that act. One that opens and
-  /// strikes without a flight even so ends the motion by `too_many_events`.
-  static constexpr double most_doubt = 1 << 30;
+  /// Beyond it a contact would be held against forces larger than those that act. One that opens and strikes without a flight
+  /// even so ends the motion by `too_many_events`.
+  static constexpr double most_doubt = 1e12;
 
   static constexpr std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
   [[nodiscard]] int count() const noexcept { return motion_.count(); }
