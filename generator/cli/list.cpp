@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "torsor/generator/base/decimal.hpp"
 #include "torsor/generator/base/error.hpp"
 #include "torsor/generator/cli/command_texts.hpp"
 #include "torsor/generator/emission/description.hpp"
@@ -130,14 +129,11 @@ Json content_json(const Scene& scene, const Equations& equations) {
   return json;
 }
 
-/// As a person writes it; what takes more digits than a double has, as turned inertias of a file do, rounded.
+/// As a person writes it, and as equations are printed.
 std::string readable(const Equations& equations, const Expression& formula) {
   const Value value = equations.program().lower(formula);
   if (!formula.symbols().empty() || !value.is_constant()) return formula.to_string();
-  constexpr std::size_t longest = 24;  // 17 digits with a sign, a point and some zeros
-  const Number number = value.polynomial().constant();
-  const std::string exact = printing::decimal_text(number);
-  return exact.size() <= longest && exact.find("...") == std::string::npos ? exact : "about " + shortest(number.to_double());
+  return printing::decimal_text(value.polynomial().constant());
 }
 
 std::string line(const std::string& title, const Json& items, const std::function<std::string(const Json&)>& text) {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "torsor/generator/printing/kinks_of_state.hpp"
 
-#include <algorithm>
-#include <optional>
-
 #include "torsor/generator/dynamics/derivatives/linearisation.hpp"
 #include "torsor/generator/dynamics/forces/actions.hpp"
 #include "torsor/generator/dynamics/motion/initial_numbers.hpp"
@@ -14,14 +11,6 @@ namespace torsor::printing {
 namespace {
 
 constexpr int digits = 50;
-
-bool has_two_forms(const Program& program, const std::vector<Value>& values) {
-  const std::vector<ValueNumber> live = program.live(values);
-  return std::any_of(live.begin(), live.end(), [&](ValueNumber value_number) {
-    const std::optional<Function> function = program[value_number].function;
-    return function && (traits_of(*function).selects || *function == Function::atan2);
-  });
-}
 
 /// What the state leaves open is beside the scene's start, by a millionth that no condition is about: formulas have values there.
 Evaluator<Real>::SymbolValue numbers_of(InitialNumbers& scene) {
@@ -41,7 +30,6 @@ Kinks kinks_of_state(const Equations& equations, const AtState::Named& state) {
   for (const ValueMatrix* matrix : {&linear.M, &linear.C, &linear.K, &linear.E}) {
     for (const std::vector<Value>& row : *matrix) values.insert(values.end(), row.begin(), row.end());
   }
-  if (!has_two_forms(program, values)) return {};
   const WorkingDigits precision(digits);
   InitialNumbers scene(equations.scene());
   const AtState at(equations, state);
@@ -53,7 +41,6 @@ Kinks kinks_of_state(const Equations& equations, const AtState::Named& state) {
     const AppliedActions alone =
         applied_actions(equations.model(), [&](const ActionContent& other) { return name_of(other) == name; });
     std::vector<Value> forces = applied_forces(equations.model(), alone);
-    if (!has_two_forms(program, forces)) continue;
     const std::size_t count = forces.size();
     for (const CoordinateContent& c : equations.scene().content().coordinates) {
       for (const SymbolPointer& symbol : symbols_of(c)) {

@@ -25,8 +25,10 @@ left="$(find "$TORSOR_CACHE" -mindepth 1 ! -name 'contact_layer-*.o')"
 [ "$left" = "$cached" ] || { echo "more than a library is left:"; find "$TORSOR_CACHE"; exit 1; }
 
 # One contact has room for two, not for as many as there can be.
-room="$(nm -C "$folder/lib.so" | grep -o 'library_has_room_for_contacts<[0-9]*>' | sort -u)" || true
-[ -z "$room" ] || [ "$room" = "library_has_room_for_contacts<2>" ] || { echo "the library has another room: $room"; exit 1; }
+if [[ " ${*:7} " == *" contacts "* ]]; then
+  room="$(nm -C "$folder/lib.so" | grep -o 'library_has_room_for_contacts<[0-9]*>' | sort -u)" || true
+  [ "$room" = "library_has_room_for_contacts<2>" ] || { echo "the library has another room: $room"; exit 1; }
+fi
 
 code=0
 said="$(CXX="$folder/no_such_compiler" "$program" build --kernels energy 2>&1)" || code=$?
