@@ -57,7 +57,7 @@ class MechanismLowering {
   void add(Kernel kernel) {
     Program& program = mechanism_->equations->program();
     std::vector<Value> derived = kernel.values();
-    run_passes(program.passes(), program, static_cast<Computation&>(kernel));
+    run_passes_on_results(program, kernel);
     const std::optional<int> before = unoptimised(program, std::move(derived), kernel);
     auto [listing, once] = lower_kernel(program, kernel, mechanism_->layout);
     const std::vector<std::size_t> members = precomputation_.add(once);

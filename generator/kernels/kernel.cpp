@@ -257,8 +257,13 @@ Kernel derive_kernel(const std::string& name, const Equations& equations) {
 
 Kernel make_kernel(const std::string& name, const Equations& equations) {
   Kernel kernel = derive_kernel(name, equations);
-  run_passes(equations.program().passes(), equations.program(), static_cast<Computation&>(kernel));
+  run_passes_on_results(equations.program(), kernel);
   return kernel;
+}
+
+void run_passes_on_results(Program& program, Computation& computation) {
+  run_passes(program.passes(), program, computation);
+  take_limits_at_roots(program, computation);
 }
 
 std::vector<OwnKernel> make_own_kernels(const Scene& scene, const ModelOptions& options,

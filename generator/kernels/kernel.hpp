@@ -97,6 +97,8 @@ Kernel derive_kernel(const std::string& name, const Equations& equations);
 
 /// The same after the passes on results.
 Kernel make_kernel(const std::string& name, const Equations& equations);
+/// The passes on results; then these have the limits of limits_at_roots.hpp.
+void run_passes_on_results(Program& program, Computation& computation);
 
 /// A kernel with equations of its own: as it is emitted, whichever other kernels there are.
 struct OwnKernel {

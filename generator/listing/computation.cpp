@@ -3,8 +3,22 @@
 
 #include "torsor/generator/listing/shared_products.hpp"
 #include "torsor/generator/program/identically_zero.hpp"
+#include "torsor/generator/program/limits_at_roots.hpp"
 
 namespace torsor {
+namespace {
+
+/// Other values in the order of Computation::values, of a function without a series.
+void put(std::vector<Value> values, Computation& computation) {
+  auto value = values.begin();
+  for (Assignment& assignment : computation.assignments) assignment.value = std::move(*value++);
+  for (PivotTest& test : computation.pivots) {
+    test.pivot = std::move(*value++);
+    test.measure = std::move(*value++);
+  }
+}
+
+}  // namespace
 
 std::vector<Value> Computation::values() const {
   std::vector<Value> all;
@@ -33,14 +47,11 @@ void clear_identically_zero(Program&, Computation& computation) {
 }
 
 void share_products(Program& program, Computation& computation) {
-  if (computation.series) return;
-  std::vector<Value> values = with_shared_products(program, computation.values());
-  auto value = values.begin();
-  for (Assignment& assignment : computation.assignments) assignment.value = std::move(*value++);
-  for (PivotTest& test : computation.pivots) {
-    test.pivot = std::move(*value++);
-    test.measure = std::move(*value++);
-  }
+  if (!computation.series) put(with_shared_products(program, computation.values()), computation);
+}
+
+void take_limits_at_roots(Program& program, Computation& computation) {
+  if (!computation.series) put(with_limits_at_roots(program, computation.values()), computation);
 }
 
 }  // namespace torsor

@@ -33,6 +33,9 @@ struct Computation {
 /// across definitions) are set to zero. They cost nothing then and carry no rounding.
 void clear_identically_zero(Program& program, Computation& computation);
 
+/// Values with the limits that they have where a root in a denominator vanishes, see limits_at_roots.hpp.
+void take_limits_at_roots(Program& program, Computation& computation);
+
 /// The pass `products`: the same values with products that its sums have in common computed once (shared_products.hpp).
 void share_products(Program& program, Computation& computation);
 

@@ -5,7 +5,9 @@
 
 #include "torsor/generator/base/did_you_mean.hpp"
 #include "torsor/generator/base/error.hpp"
+#include "torsor/generator/dynamics/derivatives/linearisation.hpp"
 #include "torsor/generator/printing/formula_text.hpp"
+#include "torsor/generator/printing/written_at_state.hpp"
 #include "torsor/generator/program/division_by_zero.hpp"
 
 namespace torsor::printing {
@@ -100,16 +102,30 @@ LinearisedEquations matrices(LagrangeEquations& equations, const Scene& scene, c
   return result;
 }
 
+/// By the program, which knows the limits that GiNaC's division by zero hides; nothing where an entry is too long.
+std::optional<LinearisedEquations> limits(LagrangeEquations& equations, const Scene& scene, const About& about) {
+  const Equations& definitions = equations.definitions();
+  const Linearisation linear = linearisation(definitions);
+  WrittenAtState write(scene, definitions, equations.view().limits(), about);
+  LinearisedEquations result{write(linear.M), write(linear.C), write(linear.K), write(linear.E),
+                             write(without_inputs(definitions, linear.F, linear.E))};
+  if (write.too_long()) return std::nullopt;
+  return result;
+}
+
 }  // namespace
 
 LinearisedEquations linearised(LagrangeEquations& equations, const Scene& scene, const About& about) {
   try {
-    return matrices(equations, scene, about);
-  } catch (const GiNaC::pole_error&) {
-    throw UsageError(no_value_at_state);
+    try {
+      return matrices(equations, scene, about);
+    } catch (const GiNaC::pole_error&) {
+      if (const std::optional<LinearisedEquations> result = limits(equations, scene, about)) return *result;
+    }
+  } catch (const GiNaC::pole_error&) {  // the next line tells it
   } catch (const DivisionByZero&) {
-    throw UsageError(no_value_at_state);
   }
+  throw UsageError(no_value_at_state);
 }
 
 }  // namespace torsor::printing

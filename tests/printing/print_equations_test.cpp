@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cctype>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -110,6 +111,29 @@ TEST(PrintEquations, LinearisesAboutAStateGivenByName) {
             "      [ 0                         ]\n");
   EXPECT_THROW(print(test::absorber(), {.about = {{"alpha", "0"}}}), UsageError);
   EXPECT_THROW(print(test::absorber(), {.about = {{"X", "g"}}}), UnitError);
+}
+
+// A drag -c V v with V = |v| has the slope zero at rest; -f v/V has none there.
+TEST(LinearisedEquations, HaveTheLimitsOfADragAtRest) {
+  const auto floating = [](const std::function<Expression(const Expression&, const Expression&)>& drag) {
+    Scene scene("floating");
+    const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), m = scene.parameter("m", "kg", 2);
+    scene.prismatic("slide", scene.ground(), axis::x, x);
+    scene.body("block", scene.prismatic("block", "slide", axis::y, y), Inertia::point(m));
+    scene.spring("k", x, scene.parameter("k", "N/m", 5));
+    const Expression speed = sqrt(rate(x) * rate(x) + rate(y) * rate(y));
+    scene.generalised_force("drag x", x, drag(rate(x), speed));
+    scene.generalised_force("drag y", y, drag(rate(y), speed));
+    return scene;
+  };
+  const Expression c = Expression::quantity("3", "kg/m"), d = Expression::quantity("1", "N s/m"), f = Expression::quantity("1", "N");
+  const auto quadratic = [&](const Expression& v, const Expression& speed) { return -(d + c * speed) * v; };
+  const std::string text =
+      section(print(floating(quadratic), {.about = {{"x", "0"}, {"y", "0"}}}), "Linearised equations");
+  EXPECT_NE(text.find("  C = [ 1,  0 ]\n      [ 0,  1 ]\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("  K = [ k,  0 ]\n      [ 0,  0 ]\n"), std::string::npos) << text;
+  const auto dry = [&](const Expression& v, const Expression& speed) { return -f * v / speed; };
+  EXPECT_THROW(print(floating(dry), {.about = {{"x", "0"}, {"y", "0"}}}), UsageError);
 }
 
 // Euler's equations about a spin n: I1 w1' = (I2 - I3) n w2 and I2 w2' = (I3 - I1) n w1, here with 1, 2, 3 kg m^2 and n = 5.

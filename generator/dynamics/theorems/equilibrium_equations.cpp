@@ -13,6 +13,7 @@
 #include "torsor/generator/program/division_by_zero.hpp"
 #include "torsor/generator/program/identically_zero.hpp"
 #include "torsor/generator/program/jumps.hpp"
+#include "torsor/generator/program/limits_at_roots.hpp"
 
 namespace torsor {
 namespace {
@@ -199,7 +200,7 @@ std::vector<Value> AtState::operator()(const std::vector<Value>& values) const {
   });
   std::vector<Value> result;
   try {
-    for (const Value& value : values) result.push_back(substitution(value));
+    for (const Value& value : with_limits_at_roots(*program_, values)) result.push_back(substitution(value));
   } catch (const DivisionByZero&) {
     throw UsageError(no_value_at_state);
   }
