@@ -358,6 +358,13 @@ bool ContactAutomaton::take_regime(const ContactSelection& chosen, int k, const 
 }
 
 bool ContactAutomaton::pass(std::size_t index, double t, std::span<double> y) {
+  const PerContact<ContactState> before = motion_.states;
+  if (pass_event(index, t, y)) return true;
+  motion_.states = before;  // what ends the motion is told with the regimes until then
+  return false;
+}
+
+bool ContactAutomaton::pass_event(std::size_t index, double t, std::span<double> y) {
   result_.time = t;
   y_ = y;
   has_event_ = false;

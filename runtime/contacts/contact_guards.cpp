@@ -125,6 +125,27 @@ std::optional<bool> ContactAutomaton::pass_jump_of_forces(double t, std::span<do
   return std::nullopt;
 }
 
+// The reaction R that presses a joint in proportion has come to zero, R = R0 + s T with T = -f |R|. Where f |s| > 1 there is no R
+// of the other sign behind it, and no R at all: as where the normal force of such a slip would become negative.
+bool ContactAutomaton::ends_with_a_reaction(double t, std::span<double> y) {
+  const auto lost = [&](double after, std::span<const double> there) {
+    return motion_.read(t + after, there) && motion_.solve(t + after, there) == Evaluation::singular;
+  };
+  for (int i = 0; i < count(); ++i) {
+    const ContactState& state = motion_.states[as(i)];
+    if (motion_.rule(i).bearing != 1 || !state.touches || state.regime != ContactRegime::slides) continue;
+    const std::optional<double> later = motion_.pass_to(t, y, lost);
+    if (!later) return false;
+    result_.time = told_ = t + *later;
+    y_ = y;
+    const PerContact<ContactState> before = motion_.states;
+    if (decide(i, Cause::none)) return false;
+    motion_.states = before;
+    return true;
+  }
+  return false;
+}
+
 // Two that stick may hold a hinge that is all but on their line, as that of a leg on the side of a box that comes to rest on it.
 // What they cannot hold grows beyond rounding as it comes down.
 std::optional<bool> ContactAutomaton::pass_loss_of_rank(double t, std::span<double> y) {

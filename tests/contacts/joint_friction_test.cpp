@@ -113,6 +113,45 @@ TEST(FrictionOfAJournal, TakesItsShareOfAnImpact) {
   EXPECT_NEAR(impulses[0], change * (1 + h), 1e-13);
 }
 
+/// A slider of mass m on a level guide that rubs in proportion to its reaction N, with a rod of length 1 m and a mass of 1 kg at
+/// its end, and a lift of p t: q = (x, θ), θ from below.
+ByHand<2, 2, 1> slider_with_pendulum(double m, double f, double p) {
+  return {{ContactRule{.tangents = 1, .normal = false, .bearing = 1, .friction = f}}, [=](double t, const auto& y, auto& r) {
+            const double s = std::sin(y[1]), c = std::cos(y[1]), square = y[3] * y[3];
+            r.M << m + 1, c, c, 1;
+            r.F << s * square, -g * s;
+            r.gap[0] = 0;
+            r.J << 1, 0;
+            r.w << y[2];
+            r.drift.setZero();
+            r.B << 0, s;
+            r.C.setZero();
+            r.R0 << (m + 1) * g + c * square - p * t;
+          }};
+}
+
+// N = N0 + n T with T = -f |N|: where f n > 1 and N0 comes to zero from above, no N is left. The integrator's steps shrink there,
+// and said that the integration had failed.
+TEST(FrictionOfAGuide, EndsWhereItsReactionComesToZero) {
+  const double m = 0.1, f = 1, p = 60;
+  std::array<double, 4> y{0, 3.05, 20, -0.5};
+  const ContactResult result = integrate_contacts(slider_with_pendulum(m, f, p), y, 0, 5, precise);
+  EXPECT_EQ(result.status, ContactStatus::no_solution);
+  EXPECT_EQ(result.contact, 0);
+  EXPECT_GT(y[2], 0.1) << "it still slides to the side 1";
+  const double s = std::sin(y[1]), c = std::cos(y[1]), both = m + s * s, square = y[3] * y[3];
+  const double n = -s * c / both, N0 = (m + 1) * g + c * square - p * result.time - s * s * g - s * c * s * (square + g * c) / both;
+  EXPECT_GT(f * n, 1.1);
+  EXPECT_NEAR(N0, 0, 1e-8 * m * g);
+}
+
+// Where f n < 1 the reaction only turns round.
+TEST(FrictionOfAGuide, GoesOnWhereItsReactionTurnsRound) {
+  std::array<double, 4> y{0, 3.05, 20, -0.5};
+  const ContactResult result = integrate_contacts(slider_with_pendulum(0.1, 0.4, 60), y, 0, 0.2, precise);
+  EXPECT_EQ(result.status, ContactStatus::reached_end);
+}
+
 /// |T| = f |c + s T| of a joint that slides to the side 1, with u = T + q.
 ContactProblem pressed(double f, double s, double c) {
   ContactProblem problem;
