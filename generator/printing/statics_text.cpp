@@ -20,6 +20,7 @@
 #include "torsor/generator/printing/formula_text.hpp"
 #include "torsor/generator/printing/readable_page.hpp"
 #include "torsor/generator/printing/statics_state.hpp"
+#include "torsor/generator/program/derivative.hpp"
 #include "torsor/generator/program/identically_zero.hpp"
 
 namespace torsor {
@@ -241,7 +242,7 @@ class StaticsWriter {
       page_.note(
           say("Cannot conclude that it is stable: a determinant of Hurwitz vanishes whatever the parameters, so that "
               "some root has Re s >= 0."));
-      if (!is_no_rest(at)) report_negative_coefficient(polynomial);
+      if (!is_no_rest(at)) report_roots(polynomial);
       return;
     }
     write_conditions(say("All roots have Re s < 0, and the rest is asymptotically stable, exactly where"), conditions,
@@ -274,11 +275,37 @@ class StaticsWriter {
     return std::any_of(rows.begin(), rows.end(), [&](const Value& row) { return !is_negligible(evaluate(row)); });
   }
 
-  /// Where all roots have Re s <= 0, no coefficient is negative.
-  void report_negative_coefficient(const std::vector<Value>& polynomial) {
+  /// Counted exactly where the scene's values make numbers of the coefficients. Elsewhere a negative coefficient still tells of a
+  /// root with Re s > 0.
+  void report_roots(const std::vector<Value>& polynomial) {
+    if (const std::optional<RootCount> roots = roots_at_scene_values(polynomial)) {
+      conclude(roots->right > 0 ? say("unstable, a root has Re s > 0")
+                                : say("no root has Re s > 0, and {} of {} have Re s = 0", roots->imaginary + roots->zero,
+                                      polynomial.size() - 1));
+      return;
+    }
     const auto signs = signs_at_scene_values(polynomial);
     const bool negative = signs && std::find(signs->begin(), signs->end(), -1) != signs->end();
     if (negative) conclude(say("unstable, for a coefficient is negative"));
+  }
+
+  /// Inputs are taken as zero. Nothing where a coefficient is no exact number then, or the first one is zero.
+  std::optional<RootCount> roots_at_scene_values(const std::vector<Value>& polynomial) {
+    Program& program = equations_.program();
+    std::optional<Substitution> with_values;
+    with_values.emplace(program, [&](const SymbolPointer& symbol) -> std::optional<Value> {
+      if (symbol->kind == SymbolKind::input) return program.number(Number(), symbol->unit);
+      for (const ParameterContent& parameter : scene_.content().parameters) {
+        if (parameter.symbol == symbol && parameter.value) return (*with_values)(program.lower(*parameter.value));
+      }
+      return std::nullopt;
+    });
+    std::vector<Value> numbers;
+    for (const Value& coefficient : polynomial) {
+      numbers.push_back((*with_values)(coefficient));
+      if (!numbers.back().is_constant()) return std::nullopt;
+    }
+    return numbers.front().is_zero() ? std::nullopt : routh_table(program, numbers).count;
   }
 
   /// "12 k m > 0" a line, or that they hold.

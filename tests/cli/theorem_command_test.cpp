@@ -201,7 +201,34 @@ TEST(StaticsCommand, WritesTheRelativeEquilibriaOfTheGovernor) {
             "  a0 = 2 ((g - L omega^2) m + g M) L\n"
             "  Cannot conclude that it is stable: a determinant of Hurwitz vanishes whatever the parameters, so that "
             "some root has Re s >= 0.\n"
-            "  With the scene's values: unstable, for a coefficient is negative.\n");
+            "  With the scene's values: unstable, a root has Re s > 0.\n");
+}
+
+/// A particle on a round hill that turns G v to its side: s^4 + (G^2 - 2 k) s^2 + k^2 for a mass of 1 kg.
+Scene on_a_hill(const std::string& turning) {
+  Scene scene("hill");
+  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m");
+  const Expression k = scene.parameter("k", "N/m", 1), G = scene.parameter("G", "N s/m", Expression::quantity(turning, "1"));
+  scene.body("particle", scene.prismatic("particle", scene.prismatic("slide", scene.ground(), axis::x, x), axis::y, y),
+             Inertia::point(Expression::quantity("1", "kg")));
+  scene.force_function("hill", k * (x * x + y * y) / 2);
+  scene.generalised_force("turn x", x, G * rate(y));
+  scene.generalised_force("turn y", y, -G * rate(x));
+  return scene;
+}
+
+// Stable by the gyroscopic forces for G^2 > 4 k. Between 2 k and 4 k no coefficient is negative, and four roots leave the axis.
+TEST(StaticsCommand, CountsTheRootsThatGyroscopicForcesHold) {
+  const auto verdict = [](Scene (*scene)()) {
+    const std::string all = run(scene, {"statics", "--about", "x=0", "--about", "y=0"}).out;
+    const std::string text = section(all, "Routh and Hurwitz, linearised equations");
+    return text.substr(text.find("Re s >= 0.\n") + 11);
+  };
+  const std::string unstable = "  With the scene's values: unstable, a root has Re s > 0.\n";
+  EXPECT_EQ(verdict([] { return on_a_hill("1.4"); }), unstable);
+  EXPECT_EQ(verdict([] { return on_a_hill("1.99"); }), unstable);
+  EXPECT_EQ(verdict([] { return on_a_hill("2.01"); }),
+            "  With the scene's values: no root has Re s > 0, and 4 of 4 have Re s = 0.\n");
 }
 
 TEST(StaticsCommand, SetsParametersOnly) {

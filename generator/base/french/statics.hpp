@@ -113,6 +113,7 @@ constexpr Translation french_of_statics[] = {
     {"asymptotically stable", "asymptotiquement stable"},
     {"unstable, a root has Re s > 0", "instable, une racine a Re s > 0"},
     {"unstable, for a coefficient is negative", "instable, car un coefficient est négatif"},
+    {"no root has Re s > 0, and {} of {} have Re s = 0", "aucune racine n'a Re s > 0, et {} sur {} ont Re s = 0"},
     {"Cannot conclude: a condition reads 0 > 0 whatever the parameters.",
      "On ne conclut pas : une condition se lit 0 > 0 quels que soient les paramètres."},
     {"Whatever the parameters, {}.", "Quels que soient les paramètres, {}."},
