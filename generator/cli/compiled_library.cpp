@@ -93,6 +93,13 @@ fs::path kept(const std::string& name, const std::string& suffix, const Compilat
 
 }  // namespace
 
+Words compiler_flags(const LibraryOptions& options, const Scene& scene) {
+  Words flags = separate_words(options.flags);
+  flags.push_back(options.fused ? "-ffp-contract=fast" : "-ffp-contract=off");
+  if (!scene.content().contacts.empty()) flags.push_back(fmt::format("-DTORSOR_MOST_CONTACTS={}", room_for_contacts(scene)));
+  return flags;
+}
+
 std::string compiled_contact_layer(const Compiler& compiler, const Words& options) {
   Words words = {"-std=c++20", "-c", "-fPIC", "-fvisibility=hidden", "-isystem", eigen_folder()};
   words.insert(words.end(), options.begin(), options.end());
@@ -106,10 +113,7 @@ std::string compiled_library(const MechanismListing& mechanism, const LibraryOpt
   const Compiler compiler = found_compiler("CXX", {"c++", "g++", "clang++"}, "C++20");
   const std::string& name = mechanism.scene().name();
   const bool contacts = !mechanism.scene().content().contacts.empty();
-  // In this order for units of FMI too, whose contact layer is then the same object.
-  Words flags = separate_words(options.flags);
-  flags.push_back(options.fused ? "-ffp-contract=fast" : "-ffp-contract=off");
-  if (contacts) flags.push_back(fmt::format("-DTORSOR_MOST_CONTACTS={}", room_for_contacts(mechanism.scene())));
+  const Words flags = compiler_flags(options, mechanism.scene());
   Words words = {"-std=c++20", "-shared", "-fPIC", "-fvisibility=hidden", "-pthread"};
   words.insert(words.end(), flags.begin(), flags.end());
   if (contacts) words.insert(words.end(), {"-isystem", eigen_folder(), "-DTORSOR_CONTACT_LAYER_APART"});

@@ -14,6 +14,10 @@ struct LibraryOptions {
   bool fused = false;                       ///< products may be fused with sums: faster, other last digits
 };
 
+/// What the compiler is told besides: flags, fusing, and room for the scene's contacts. The same for units of FMI, which then
+/// share the contact layer with libraries.
+std::vector<std::string> compiler_flags(const LibraryOptions& options, const Scene& scene);
+
 /// The path of a shared library of the mechanism (runtime/abi.h). It lies in a cache, under a name that tells sources,
 /// compiler, flags and processor: what is there is not compiled again. The cache is $TORSOR_CACHE, or torsor in
 /// $XDG_CACHE_HOME, or ~/.cache/torsor. The compiler is $CXX, or the first of c++, g++ and clang++ on the PATH.

@@ -100,8 +100,7 @@ struct UnitSources {
 /// A binary, and where in a unit it belongs.
 ArchivedFile compiled_unit(const FmiUnit& unit, const UnitSources& sources, const UnitRequest& request) {
   const Compiler compiler = found_compiler("CC", {"cc", "gcc", "clang"}, "C99");
-  std::vector<std::string> flags = separate_words(request.flags);
-  flags.emplace_back("-ffp-contract=off");
+  const std::vector<std::string> flags = compiler_flags({.flags = request.flags}, unit.scene());
   const FmiPlatform platform = fmi_platform(predefined_macros(compiler, flags), unit.version);
   const TemporaryFolder folder(folder_of_temporary_files(), "torsor-fmu-");
   const auto file = [&folder](const std::string& of) { return (folder.path() / of).string(); };
@@ -113,7 +112,6 @@ ArchivedFile compiled_unit(const FmiUnit& unit, const UnitSources& sources, cons
   } else {
     compile(compiler, flags, {"-std=c99", "-c", "-o", file("unit.o"), file(sources.c.front().path)});
     const Compiler other = found_compiler("CXX", {"c++", "g++", "clang++"}, "C++20");
-    flags.push_back(fmt::format("-DTORSOR_MOST_CONTACTS={}", room_for_contacts(unit.scene())));
     compile(other, flags,
             {"-std=c++20", "-shared", "-isystem", eigen_folder(), "-I", folder.path().string(), "-o", made,
              file(sources.cpp.front().path), file("unit.o"), compiled_contact_layer(other, flags), "-lm"});
