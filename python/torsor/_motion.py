@@ -9,8 +9,8 @@ import numpy as np
 
 MOTION_STATUSES = ("reached the end time", "stopped", "unusable options: times, tolerances or steps",
                    "the step fell below the resolution of time", "the step limit was met",
-                   "the model could not be evaluated: its equations are singular there, or loops are at a dead centre of a "
-                   "friction",
+                   "the model could not be evaluated: its equations are singular there, a formula has no value (or, for the "
+                   "method taylor, no series), or loops are at a dead centre of a friction",
                    "an implicit step did not converge",
                    "the method does not suit the model",
                    "no regimes fulfil the laws of contact: rigid bodies have no motion here (Painleve)",
