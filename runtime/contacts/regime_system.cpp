@@ -75,23 +75,48 @@ bool RegimeSystem::solve() noexcept {
 
 void RegimeSystem::start_along() noexcept {
   const ContactVector none = ContactVector::Zero(problem_.rows());
+  const auto set = [this](int i, const std::array<double, 2>& R) {
+    const double length = std::hypot(R[0], R[1]);
+    if (length > 0) along_[as(i)] = {R[0] / length, R[1] / length};
+  };
+  const auto is_given = [this](int i) { return at(i).along[0] != 0 || at(i).along[1] != 0; };
   for (int i = 0; i < problem_.count; ++i) {
-    if (!slides_in_bearing(i)) continue;
-    auto along = at(i).along;
-    if (along[0] == 0 && along[1] == 0) along = problem_.bearing(i, none);
-    if (at(i).reversed) {
-      // |R| - |T|/f is convex in |T|: its two zeros lie on either side of a minimum. The other one is found from far away,
-      // where R is S of its own T alone.
-      std::array<double, 2> far{0, 0};
-      for (int k = 0, row = problem_.bearing_row(i), t = problem_.tangent_row(i); k < problem_.law(i).bearing; ++k, ++row) {
-        for (int j = 0; j < problem_.law(i).tangents; ++j) far[as(k)] -= problem_.S(row, t + j) * at(i).direction[as(j)];
-      }
-      along = far[0] != 0 || far[1] != 0 ? far : std::array<double, 2>{-along[0], -along[1]};
-    }
-    const double length = std::hypot(along[0], along[1]);
     along_[as(i)] = {1, 0};
-    if (length > 0) along_[as(i)] = {along[0] / length, along[1] / length};
+    if (slides_in_bearing(i)) set(i, is_given(i) ? at(i).along : problem_.bearing(i, none));
   }
+  for (int i = 0; i < problem_.count; ++i) {
+    if (!slides_in_bearing(i) || (is_given(i) && !at(i).reversed)) continue;
+    if (problem_.law(i).bearing == 1) {  // R has two signs
+      if (at(i).reversed) along_[as(i)][0] *= -1;
+      continue;
+    }
+    // |R| - |T|/f is convex in |T|: its two zeros lie on either side of a minimum. One is found from T = 0, the other one from far
+    // away, where R is what T alone makes.
+    const auto [near, far] = line_of_reaction(i);
+    set(i, at(i).reversed ? far : near);
+  }
+}
+
+// R = near + far |T| where the other equations hold.
+std::pair<std::array<double, 2>, std::array<double, 2>> RegimeSystem::line_of_reaction(int i) noexcept {
+  std::array<double, 2> near{0, 0}, far{0, 0};
+  const ContactVector right = e_;
+  const int column = column_[as(i)];
+  equate_bearings();
+  E_.row(column).setZero();
+  E_(column, column) = 1;
+  e_(column) = 0;
+  if (solve_linear()) near = problem_.bearing(i, reactions());
+  e_.setZero();
+  e_(column) = 1;
+  if (solve_linear()) {
+    const ContactVector by_friction = B_ * x_;
+    for (int k = 0, row = problem_.bearing_row(i); k < problem_.law(i).bearing; ++k, ++row) {
+      far[as(k)] = problem_.S.row(row).dot(by_friction);
+    }
+  }
+  e_ = right;
+  return {near, far};
 }
 
 ContactVector RegimeSystem::pull_of_bearing(int i) const noexcept {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 #include "torsor/runtime/contacts/contact_scale.hpp"
 
@@ -72,6 +73,7 @@ class RegimeSystem {
     return at(contact).friction == Friction::slides && problem_.law(contact).bearing > 0;
   }
   void start_along() noexcept;
+  std::pair<std::array<double, 2>, std::array<double, 2>> line_of_reaction(int contact) noexcept;
   /// What makes a velocity of |T|: all equations are measured alike.
   [[nodiscard]] double mobility(int contact) const noexcept {
     const int t = problem_.tangent_row(contact);

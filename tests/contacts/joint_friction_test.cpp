@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
+#include <random>
 #include <vector>
 
 #include "torsor/runtime/contacts/contact_solver.hpp"
@@ -210,6 +215,101 @@ TEST(FrictionOfAGuide, MayHaveTwoForcesAcrossTwoDirections) {
   EXPECT_NEAR(std::min(-both.solutions[0].r(0), -both.solutions[1].r(0)), 1.0 / 3, 1e-15);
   EXPECT_NEAR(std::max(-both.solutions[0].r(0), -both.solutions[1].r(0)), 5.0 / 3, 3e-15);
 }
+
+/// A contact and joints that slide to the side 1, with rows of their own but one W, as of a ladder whose guide rubs.
+ContactProblem with_a_contact(std::mt19937& random, int joints, int bearing) {
+  const auto number = [&random](double from, double to) { return std::uniform_real_distribution<double>(from, to)(random); };
+  ContactProblem problem;
+  problem.count = 1 + joints;
+  const int rows = 2 + joints;
+  Eigen::MatrixXd J = Eigen::MatrixXd::NullaryExpr(rows, rows + 1, [&] { return number(-1, 1); });
+  problem.W = J * J.transpose();
+  problem.q = Eigen::VectorXd::NullaryExpr(rows, [&] { return number(-3, 3); });
+  problem.S = Eigen::MatrixXd::NullaryExpr(joints * bearing, rows, [&] { return number(-2, 2); });
+  problem.c = Eigen::VectorXd::NullaryExpr(joints * bearing, [&] { return number(-2, 2); });
+  const double f = number(0, 1.5);
+  problem.laws[0] = {.tangents = 1, .friction = f, .static_friction = f, .slips = true};
+  for (std::size_t i = 1; i <= static_cast<std::size_t>(joints); ++i) {
+    const double g = number(0.1, 2);
+    problem.laws[i] = {.normal = false, .bearing = bearing, .tangents = 1, .friction = g, .static_friction = g, .slips = true};
+  }
+  return problem;
+}
+
+/// How many motions fulfil the laws, every sign of every R tried; nothing where a number is so small that rounding may tell.
+std::optional<std::size_t> motions_by_hand(const ContactProblem& problem) {
+  const int joints = problem.count - 1, rows = 2 + joints;
+  std::size_t count = 0;
+  for (int open = 0; open < 2; ++open) {
+    for (int signs = 0; signs < 1 << joints; ++signs) {
+      Eigen::MatrixXd B = Eigen::MatrixXd::Zero(rows, 1 + joints);  // r = B (N, |T_1|, ...)
+      B(0, 0) = 1;
+      B(1, 0) = -problem.law(0).friction;
+      for (int k = 0; k < joints; ++k) B(2 + k, 1 + k) = -1;
+      Eigen::MatrixXd A(1 + joints, 1 + joints);
+      Eigen::VectorXd b(1 + joints);
+      A.row(0) = open != 0 ? Eigen::RowVectorXd(Eigen::RowVectorXd::Unit(1 + joints, 0)) : Eigen::RowVectorXd(problem.W.row(0) * B);
+      b(0) = open != 0 ? 0 : -problem.q(0);
+      for (int k = 0; k < joints; ++k) {
+        const double e = (signs >> k & 1) != 0 ? -1 : 1, f = problem.law(1 + k).friction;
+        A.row(1 + k) = -f * e * problem.S.row(k) * B;
+        A(1 + k, 1 + k) += 1;
+        b(1 + k) = f * e * problem.c(k);
+      }
+      const Eigen::VectorXd x = A.fullPivLu().solve(b), u = problem.W * (B * x) + problem.q;
+      double least = open != 0 ? u(0) : x(0);
+      for (int k = 0; k < joints; ++k) least = std::min(least, x(1 + k));
+      if (std::abs(least) < 1e-6 || x.cwiseAbs().maxCoeff() > 1e3) return std::nullopt;
+      if (least > 0) ++count;
+    }
+  }
+  return count;
+}
+
+/// The same of one journal: R = R_0 + R_1 t, where t = |T| solves t^2 = f^2 |R|^2.
+std::optional<std::size_t> motions_of_a_journal(const ContactProblem& problem) {
+  const double f = problem.law(1).friction;
+  std::size_t count = 0;
+  for (int open = 0; open < 2; ++open) {
+    const Eigen::Vector3d of_N(1, -problem.law(0).friction, 0), of_t(0, 0, -1);
+    const Eigen::RowVector3d row = problem.W.row(0);
+    const double N_0 = open != 0 ? 0 : -problem.q(0) / row.dot(of_N), N_1 = open != 0 ? 0 : -row.dot(of_t) / row.dot(of_N);
+    const Eigen::Vector2d R_0 = problem.S * of_N * N_0 + problem.c, R_1 = problem.S * (of_N * N_1 + of_t);
+    const double a = 1 - f * f * R_1.squaredNorm(), b = -f * f * R_0.dot(R_1), c = -f * f * R_0.squaredNorm(), root = b * b - a * c;
+    if (std::abs(root) < 1e-6 || std::abs(a) < 1e-3) return std::nullopt;
+    for (const double sign : {1.0, -1.0}) {
+      const double t = (-b + sign * std::sqrt(root)) / a, N = N_0 + N_1 * t;
+      if (root < 0 || t < 0) continue;
+      const double least = open != 0 ? problem.W.row(0).dot(of_t) * t + problem.q(0) : N;
+      if (std::abs(least) < 1e-6 || t < 1e-6 || t > 1e3) return std::nullopt;
+      if (least > 0) ++count;
+    }
+  }
+  return count;
+}
+
+void expect_all(unsigned seed, int joints, int bearing, std::optional<std::size_t> (*motions)(const ContactProblem&)) {
+  std::mt19937 random(seed);
+  std::array<int, 3> seen{};
+  for (int k = 0; k < 300; ++k) {
+    const ContactProblem problem = with_a_contact(random, joints, bearing);
+    const std::optional<std::size_t> count = motions(problem);
+    if (!count) continue;
+    const ContactAnswer answer = solve_contacts(problem);
+    EXPECT_EQ(answer.count, *count) << k;
+    EXPECT_EQ(answer.verdict, *count == 0 ? ContactVerdict::none : *count == 1 ? ContactVerdict::unique : ContactVerdict::several) << k;
+    ++seen[std::min<std::size_t>(*count, 2)];
+  }
+  for (const int each : seen) EXPECT_GT(each, 20);
+}
+
+// A reaction that turns round by the force of a contact was not found where the joint's own friction does not turn it.
+TEST(FrictionOfAGuide, HasAllTheForcesThatAContactAllows) {
+  expect_all(20, 1, 1, motions_by_hand);
+  expect_all(21, 2, 1, motions_by_hand);
+}
+
+TEST(FrictionOfAJournal, HasAllTheForcesThatAContactAllows) { expect_all(22, 1, 2, motions_of_a_journal); }
 
 // Two joints that balance each other: R of the second is zero, which rounding gives any direction.
 TEST(FrictionOfSeveralJoints, IsNoneWhereTheReactionIsZero) {
