@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace torsor::runtime {
 
@@ -59,7 +60,42 @@ bool RegimeInequalities::hold(const ContactVector& r, const ContactVector& u, do
   return true;
 }
 
+// |R| of a joint that sticks is no concave bound: reactions where R points one way are apart from those where it points another.
+// Each way gives the bound f ρ · R, which is one, and is left for |R| where it has led to a place.
 RegimeInequalities::Room RegimeInequalities::find(RegimeSystem& system, double margin) const noexcept {
+  const ContactVector start = system.x();
+  Ways ways{};
+  Room best = find_along(system, margin, ways);
+  const auto is_enough = [margin](const Room& room) { return room.holds && (room.inside || margin == 0); };
+  if (is_enough(best)) return best;
+  PerContact<int> count{};
+  int together = 1;
+  for (int i = 0; i < problem_.count; ++i) {
+    const bool holds = system.at(i).friction == Friction::sticks;
+    count[as(i)] = holds && problem_.law(i).bearing > 0 ? (problem_.law(i).bearing == 1 ? 2 : 8) : 1;
+    together = std::min(together * count[as(i)], 1000);
+  }
+  if (together == 1 || together > 64) return best;
+  ContactVector place = system.x();
+  for (int k = 0; k < together; ++k) {
+    for (int i = 0, rest = k; i < problem_.count; rest /= count[as(i++)]) {
+      if (count[as(i)] == 1) continue;
+      const double angle = 2 * std::numbers::pi * (rest % count[as(i)]) / count[as(i)];
+      ways[as(i)] = {std::cos(angle), problem_.law(i).bearing == 1 ? 0 : std::sin(angle)};
+    }
+    system.x() = start;
+    Room room = find_along(system, margin, ways);
+    if (!is_enough(room)) room = find_along(system, margin, {});
+    if (is_enough(room)) return room;
+    if (!room.holds || best.holds) continue;
+    best = room;
+    place = system.x();
+  }
+  system.x() = place;
+  return best;
+}
+
+RegimeInequalities::Room RegimeInequalities::find_along(RegimeSystem& system, double margin, const Ways& ways) const noexcept {
   const auto& Z = system.kernel();
   const int n = static_cast<int>(Z.cols());
   const ContactVector start = system.x();
@@ -104,7 +140,10 @@ RegimeInequalities::Room RegimeInequalities::find(RegimeSystem& system, double m
         const double size = of_friction(i, force);
         double length = margin * size / 4;
         for (int j = 0; j < law.tangents; ++j) length = std::hypot(length, r(t + j));
-        const double N = problem_.pressing(i, r);
+        const auto bearing = problem_.bearing(i, r);
+        const auto& way = ways[as(i)];
+        const bool one_way = way[0] != 0 || way[1] != 0;
+        const double N = one_way ? way[0] * bearing[0] + way[1] * bearing[1] : problem_.pressing(i, r);
         const double left = law.static_friction * N + law.static_bound - length;
         const double missing = margin - left / size;
         if (!(size > 0 && missing > 0)) continue;
@@ -112,9 +151,8 @@ RegimeInequalities::Room RegimeInequalities::find(RegimeSystem& system, double m
         if (const std::optional<int> pressing = problem_.pressing_row(i)) {
           row += law.static_friction * R.row(*pressing).transpose();
         }
-        const auto bearing = problem_.bearing(i, r);
-        for (int j = 0, own = problem_.bearing_row(i); j < law.bearing && N > 0; ++j, ++own) {
-          row += law.static_friction * bearing[as(j)] / N * (problem_.S.row(own) * R).transpose();
+        for (int j = 0, own = problem_.bearing_row(i); j < law.bearing && (one_way || N > 0); ++j, ++own) {
+          row += law.static_friction * (one_way ? way[as(j)] : bearing[as(j)] / N) * (problem_.S.row(own) * R).transpose();
         }
         for (int j = 0; j < law.tangents && length > 0; ++j) turn += r(t + j) / length * R.row(t + j).transpose();
         row -= turn;

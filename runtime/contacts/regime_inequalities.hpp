@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
 #include <cstddef>
 
 #include "torsor/runtime/contacts/contact_scale.hpp"
@@ -36,11 +37,15 @@ class RegimeInequalities {
   [[nodiscard]] bool hold(const ContactVector& r, const ContactVector& u, double slack) const noexcept;
 
   /// Looks for x + Z z where all hold, Z the kernel of the system: least sum of the squares of what is missing, convex
-  /// in z, by Newton's method with halved steps. `margin` asks for more than 0, as a part of the sizes. The system then
+  /// in z but for joints, by Newton's method with halved steps. `margin` asks for more than 0, as a part of the sizes. The system then
   /// holds that x.
   [[nodiscard]] Room find(RegimeSystem& system, double margin) const noexcept;
 
  private:
+  /// Directions ρ by which ρ · R stands for |R| of a joint that sticks; 0, 0: none.
+  using Ways = PerContact<std::array<double, 2>>;
+  [[nodiscard]] Room find_along(RegimeSystem& system, double margin, const Ways& ways) const noexcept;
+
   static std::size_t as(int i) noexcept { return static_cast<std::size_t>(i); }
   /// The largest of sizes of rows, of those of a contact's friction.
   [[nodiscard]] double of_friction(int contact, const ContactVector& sizes) const noexcept;

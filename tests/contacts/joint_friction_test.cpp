@@ -311,6 +311,38 @@ TEST(FrictionOfAGuide, HasAllTheForcesThatAContactAllows) {
 
 TEST(FrictionOfAJournal, HasAllTheForcesThatAContactAllows) { expect_all(22, 1, 2, motions_of_a_journal); }
 
+/// A contact and a joint that rub and can hold two freedoms by reactions that are well inside their bounds.
+ContactProblem that_can_rest(std::mt19937& random, int bearing) {
+  const auto number = [&random](double from, double to) { return std::uniform_real_distribution<double>(from, to)(random); };
+  const double f = number(0.2, 1.5), g = number(0.1, 1.5), N = number(0.5, 3), R = number(0.5, 5), angle = number(0, 6.28);
+  ContactProblem problem;
+  problem.count = 2;
+  const Eigen::MatrixXd J = Eigen::MatrixXd::NullaryExpr(3, 2, [&] { return number(-1, 1); });
+  const Eigen::Vector3d r(N, number(-0.8, 0.8) * f * N, number(-0.8, 0.8) * g * R);
+  problem.W = J * J.transpose();
+  problem.q = -problem.W * r;
+  problem.S = Eigen::MatrixXd::NullaryExpr(bearing, 3, [&] { return number(-2, 2); });
+  Eigen::VectorXd reaction(bearing);
+  reaction(0) = bearing == 1 ? (angle < 3.14 ? R : -R) : R * std::cos(angle);
+  if (bearing == 2) reaction(1) = R * std::sin(angle);
+  problem.c = reaction - problem.S * r;
+  problem.laws[0] = {.tangents = 1, .friction = f, .static_friction = f};
+  problem.laws[1] = {.normal = false, .bearing = bearing, .tangents = 1, .friction = g, .static_friction = g};
+  return problem;
+}
+
+// Reactions of both signs may hold it, with none in between.
+TEST(FrictionOfAGuide, HoldsWhereAContactPressesItEitherWay) {
+  std::mt19937 random(23);
+  for (int k = 0; k < 400; ++k) {
+    const ContactProblem problem = that_can_rest(random, 1 + k % 2);
+    const ContactAnswer answer = solve_contacts(problem);
+    ASSERT_TRUE(answer) << k;
+    EXPECT_LE(answer.best().u.cwiseAbs().maxCoeff(), 1e-9) << k;
+    EXPECT_LE(answer.best().residual, 1e-12) << k;
+  }
+}
+
 // Two joints that balance each other: R of the second is zero, which rounding gives any direction.
 TEST(FrictionOfSeveralJoints, IsNoneWhereTheReactionIsZero) {
   for (int k = 0; k < 200; ++k) {

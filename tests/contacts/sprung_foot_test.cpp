@@ -80,34 +80,6 @@ TEST(SprungFoot, MovesAlikeByMethodsForStiffAndForOtherEquations) {
   }
 }
 
-/// A foot at u on a stop with dry friction of 1 N, q = (u, w): a mass at u + w on the spring is drawn away by a force p t.
-ByHand<2, 2, 2> drawn_off_a_stop(const Leg& leg, double p) {
-  return {{ContactRule{.tangents = 0, .restitution = leg.restitution}, ContactRule{.tangents = 1, .normal = false, .bound = 1}},
-          [=](double t, const auto& y, auto& r) {
-            r.M << 1 + leg.foot, 1, 1, 1;
-            r.F << p * t, p * t - leg.stiffness * y[1] - leg.damping * y[3];
-            r.gap[0] = y[0];
-            r.J << 1, 0, 1, 0;
-            r.w << y[2], y[2];
-            r.drift.setZero();
-          }};
-}
-
-// The foot begins to slide and leaves its stop at once, from rest: no size of a speed tells what of its own is rounding.
-TEST(SprungFoot, LeavesAStopOnceAsItBeginsToSlide) {
-  for (const Leg& leg : {Leg{1e5, 0, 0.01, 0}, Leg{1e3, 1, 0.1, 0.5}, Leg{1e5, 20, 0.1, 0}, Leg{1e4, 30, 0.01, 0.5}}) {
-    for (const double tolerance : {1e-6, 1e-9, 1e-11}) {
-      Motion motion;
-      motion.y = {0, 0, 0, 0};
-      motion.result = integrate_contacts(drawn_off_a_stop(leg, 5), motion.y, 0, 0.3,
-                                         RadauIia5{.relative_tolerance = tolerance, .absolute_tolerance = tolerance}, {},
-                                         Observed{motion});
-      EXPECT_EQ(motion.result.status, ContactStatus::reached_end);
-      EXPECT_EQ(motion.events, (std::vector{ContactEventKind::slips, ContactEventKind::opens})) << leg.stiffness << " " << tolerance;
-    }
-  }
-}
-
 // Steps of one length cannot be taken in shorter ones: impacts follow without a flight until forces draw the foot away beyond
 // what is doubted of them.
 TEST(SprungFoot, LiftsOffByStepsOfOneLength) {
