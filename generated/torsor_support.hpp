@@ -25,7 +25,8 @@
 //    are all angles under another rounding, which would give the nearest integers wrong.
 // The core has no branch, so that several angles go through it at once.
 #ifndef TORSOR_STD_SINCOS
-#if defined(__FAST_MATH__) || defined(_M_FP_FAST) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST) || \
+    (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
 #define TORSOR_STD_SINCOS  // sums would be reassociated or hold more digits than their type
 #endif
 #endif
@@ -35,6 +36,12 @@
 #else
 #define TORSOR_INLINED inline __attribute__((always_inline))
 #define TORSOR_OUTLINED __attribute__((noinline, cold))
+#endif
+// First in a function whose sums must stay as they are: options of clang that reassociate leave no macro but __FAST_MATH__.
+#if defined(__clang__) && __clang_major__ >= 13
+#define TORSOR_AS_WRITTEN _Pragma("clang fp reassociate(off)")
+#else
+#define TORSOR_AS_WRITTEN
 #endif
 #if !defined(TORSOR_SMALL)
 #define TORSOR_ONE_SINE inline
@@ -62,11 +69,15 @@ struct SineCosine {
   /// So large that the last bit of what is some less or more counts 1.
   TORSOR_DEVICE TORSOR_INLINED static Scalar shift() noexcept { return number(0x1.8p52, 0x1.8p23f); }
   /// To the nearest integer, of two the even one.
-  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept { return (x + shift()) - shift(); }
+  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept {
+    TORSOR_AS_WRITTEN
+    return (x + shift()) - shift();
+  }
 
   /// Of high - rest, |high| <= pi/4, rest being about an ulp of high at most.
   TORSOR_DEVICE TORSOR_INLINED static void of_reduced(const Scalar& high, const Scalar& rest, Scalar& sine,
                                                       Scalar& cosine) noexcept {
+    TORSOR_AS_WRITTEN
     const Scalar one = number(1.0, 1.0f), half = number(0.5, 0.5f);
     const Scalar z = high * high, z2 = z * z;
     // sin r = r + r z S(z), cos r = 1 - z/2 + z z C(z)
@@ -94,6 +105,7 @@ struct SineCosine {
 
   /// Of n pi/2 more.
   TORSOR_DEVICE TORSOR_INLINED static void turn(const Scalar& n, Scalar& sine, Scalar& cosine) noexcept {
+    TORSOR_AS_WRITTEN
     const Scalar one = number(1.0, 1.0f), two = number(2.0, 2.0f), half = number(0.5, 0.5f);
     const Scalar s = sine, c = cosine;
     // i = cos(n pi/2) = sin((n + 1) pi/2) and j = -sin(n pi/2): halves are rounded to even, which tells 1 from 3.
@@ -111,6 +123,7 @@ struct SineCosine {
   ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
   TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
                                                         Scalar& cosine) noexcept {
+    TORSOR_AS_WRITTEN
     const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
     shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift();
     const Scalar n = shifted - shift();
@@ -124,6 +137,7 @@ struct SineCosine {
 
   /// For |x| <= bound.
   TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
+    TORSOR_AS_WRITTEN
     Scalar shifted;
     of_remainder(x, shifted, sine, cosine);
     turn(shifted - shift(), sine, cosine);
@@ -134,6 +148,7 @@ struct SineCosine {
 /// number does not tell. x keeps compilers from doing the sums themselves.
 template <class Scalar>
 TORSOR_DEVICE TORSOR_INLINED bool rounds_to_one_side(const Scalar& x) noexcept {
+  TORSOR_AS_WRITTEN
   const Scalar one = static_cast<Scalar>(1) + (x - x), little = static_cast<Scalar>(0x1p-60);
   return (one + little) - (one - little) > static_cast<Scalar>(0);
 }
@@ -141,6 +156,7 @@ TORSOR_DEVICE TORSOR_INLINED bool rounds_to_one_side(const Scalar& x) noexcept {
 /// Of any x, beyond the bound too, where n pi/2 is subtracted exactly: x/(2 pi) modulo 1 in integers, with as many
 /// digits of 1/(2 pi) as |x - n pi/2| >= 2^-62 needs. Infinite: not a number. Under any rounding.
 TORSOR_OUTLINED inline void sincos_far(double x, double& sine, double& cosine) noexcept {
+  TORSOR_AS_WRITTEN
   using Word = unsigned long long;  // of which 32 bits are used
   constexpr Word mask = 0xffffffffu;
   // 1/(2 pi) behind 64 zeros
@@ -219,6 +235,7 @@ TORSOR_OUTLINED inline void sincos_far(double x, double& sine, double& cosine) n
 /// registers of doubles no more than some 300 instructions. 1/(2 pi) to 2^-72 of a turn; no float comes nearer to a
 /// multiple of pi/2 than 2^-32 of a turn.
 TORSOR_OUTLINED inline void sincos_far(float x, float& sine, float& cosine) noexcept {
+  TORSOR_AS_WRITTEN
   using Word = unsigned long;  // of which 32 bits are used
   using Product = unsigned long long;
   constexpr Word mask = 0xffffffffu;
@@ -333,16 +350,19 @@ struct Registers {
   Numbers part[count];
 
   TORSOR_INLINED friend Registers operator+(const Registers& a, const Registers& b) noexcept {
+    TORSOR_AS_WRITTEN
     Registers sum;
     for (int i = 0; i < count; ++i) sum.part[i] = a.part[i] + b.part[i];
     return sum;
   }
   TORSOR_INLINED friend Registers operator-(const Registers& a, const Registers& b) noexcept {
+    TORSOR_AS_WRITTEN
     Registers difference;
     for (int i = 0; i < count; ++i) difference.part[i] = a.part[i] - b.part[i];
     return difference;
   }
   TORSOR_INLINED friend Registers operator*(const Registers& a, const Registers& b) noexcept {
+    TORSOR_AS_WRITTEN
     Registers product;
     for (int i = 0; i < count; ++i) product.part[i] = a.part[i] * b.part[i];
     return product;
@@ -617,6 +637,7 @@ struct Selections {
   /// atan r = r + r z P(z), z = r r, |r| <= tan(pi/8); then back to its octant, m pi/4 on, by two parts of pi/4.
   template <class Traits>
   TORSOR_DEVICE TORSOR_INLINED static Scalar arctangent_by(const Scalar& y, const Scalar& x, long) noexcept {
+    TORSOR_AS_WRITTEN
     const auto number = [](double in_double, float in_float) { return Traits::constant(in_double, in_float, nullptr); };
     const Scalar along = absolute(x), up = absolute(y);
     const auto steep = up > along;
@@ -773,7 +794,7 @@ class Convolutions {
 namespace torsor {
 
 /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place.
-inline constexpr unsigned long long support_fingerprint = 0xf43b31b7b036f585ULL;
+inline constexpr unsigned long long support_fingerprint = 0xe19a68ccc9e67971ULL;
 
 }  // namespace torsor
 #endif

@@ -42,6 +42,7 @@ struct Selections {
   /// atan r = r + r z P(z), z = r r, |r| <= tan(pi/8); then back to its octant, m pi/4 on, by two parts of pi/4.
   template <class Traits>
   TORSOR_DEVICE TORSOR_INLINED static Scalar arctangent_by(const Scalar& y, const Scalar& x, long) noexcept {
+    TORSOR_AS_WRITTEN
     const auto number = [](double in_double, float in_float) { return Traits::constant(in_double, in_float, nullptr); };
     const Scalar along = absolute(x), up = absolute(y);
     const auto steep = up > along;

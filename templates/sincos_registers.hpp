@@ -30,16 +30,19 @@ struct Registers {
   Numbers part[count];
 
   TORSOR_INLINED friend Registers operator+(const Registers& a, const Registers& b) noexcept {
+    TORSOR_AS_WRITTEN
     Registers sum;
     for (int i = 0; i < count; ++i) sum.part[i] = a.part[i] + b.part[i];
     return sum;
   }
   TORSOR_INLINED friend Registers operator-(const Registers& a, const Registers& b) noexcept {
+    TORSOR_AS_WRITTEN
     Registers difference;
     for (int i = 0; i < count; ++i) difference.part[i] = a.part[i] - b.part[i];
     return difference;
   }
   TORSOR_INLINED friend Registers operator*(const Registers& a, const Registers& b) noexcept {
+    TORSOR_AS_WRITTEN
     Registers product;
     for (int i = 0; i < count; ++i) product.part[i] = a.part[i] * b.part[i];
     return product;

@@ -31,6 +31,7 @@ enum { torsor_lanes = TORSOR_VECTOR_BYTES / (int)sizeof(torsor_real) };
 /// What torsor_near does, in every lane. The quarter of the turn is in the last two bits of `shifted`: it is chosen by
 /// bits, not by products.
 TORSOR_FLATTENED void torsor_near_lanes(torsor_vector x, torsor_vector* sine, torsor_vector* cosine) {
+  TORSOR_AS_WRITTEN
   const torsor_vector zero = {0};
 #ifdef TORSOR_SINGLE
   const torsor_vector shift = zero + 0x1.8p23f, P = zero + 0x1.ed5p-14f, Q = zero + 0x1.10bp-30f;

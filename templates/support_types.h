@@ -6,7 +6,7 @@
 // where room counts more than time. The file is C99, and as C++ the same.
 #include <math.h>
 
-#if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
 #ifndef TORSOR_LIBM
 #define TORSOR_LIBM  // sums would be reassociated or hold more digits than their type
 #endif
@@ -20,6 +20,12 @@ typedef float torsor_real;
 typedef double torsor_real;
 #define TORSOR_NUMBER(in_double, in_float) (in_double)
 #define TORSOR_FUNCTION(name) name
+#endif
+// First in a function whose sums must stay as they are: options of clang that reassociate leave no macro but __FAST_MATH__.
+#if defined(__clang__) && __clang_major__ >= 13
+#define TORSOR_AS_WRITTEN _Pragma("clang fp reassociate(off)")
+#else
+#define TORSOR_AS_WRITTEN
 #endif
 #if defined(__GNUC__)
 #define TORSOR_UNUSED __attribute__((unused))

@@ -14,6 +14,11 @@
 #define TORSOR_SIMD_INLINED inline
 #define TORSOR_SIMD_OUTLINED
 #endif
+#if defined(__clang__) && __clang_major__ >= 13  // sines need sums that are not reassociated, see TORSOR_AS_WRITTEN of headers
+#define TORSOR_SIMD_AS_WRITTEN _Pragma("clang fp reassociate(off)")
+#else
+#define TORSOR_SIMD_AS_WRITTEN
+#endif
 
 namespace torsor::runtime {
 
@@ -157,6 +162,7 @@ class Simd {
   TORSOR_SIMD_INLINED void set(int lane, Number value) noexcept { values_[lane] = value; }
 
   [[nodiscard]] friend TORSOR_SIMD_INLINED Simd operator+(const Simd& a, const Simd& b) noexcept {
+    TORSOR_SIMD_AS_WRITTEN
     Simd result;
     if constexpr (in_register) {
       result.values_ = a.values_ + b.values_;
@@ -166,6 +172,7 @@ class Simd {
     return result;
   }
   [[nodiscard]] friend TORSOR_SIMD_INLINED Simd operator-(const Simd& a, const Simd& b) noexcept {
+    TORSOR_SIMD_AS_WRITTEN
     Simd result;
     if constexpr (in_register) {
       result.values_ = a.values_ - b.values_;

@@ -15,4 +15,5 @@ struct Variant {
 
 extern const Variant portable_variant;  ///< no fused multiply-add
 extern const Variant fused_variant;     ///< wide vectors, fused wherever the compiler can
+extern const Variant reassociated_variant;  ///< sums may be reassociated wherever the compiler is not told otherwise
 extern const Variant std_variant;       ///< TORSOR_STD_SINCOS
