@@ -37,8 +37,8 @@ class RegimeInequalities {
   [[nodiscard]] bool hold(const ContactVector& r, const ContactVector& u, double slack) const noexcept;
 
   /// Looks for x + Z z where all hold, Z the kernel of the system: least sum of the squares of what is missing, convex
-  /// in z but for joints, by Newton's method with halved steps. `margin` asks for more than 0, as a part of the sizes. The system then
-  /// holds that x.
+  /// in z but for joints, by Newton's method with halved steps. `margin` asks for more than 0, as a part of the sizes. The
+  /// system then holds that x.
   [[nodiscard]] Room find(RegimeSystem& system, double margin) const noexcept;
 
  private:

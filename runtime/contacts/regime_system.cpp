@@ -90,8 +90,8 @@ void RegimeSystem::start_along() noexcept {
       if (at(i).reversed) along_[as(i)][0] *= -1;
       continue;
     }
-    // |R| - |T|/f is convex in |T|: its two zeros lie on either side of a minimum. One is found from T = 0, the other one from far
-    // away, where R is what T alone makes.
+    // |R| - |T|/f is convex in |T|: its two zeros lie on either side of a minimum. One is found from T = 0, the other one
+    // from far away, where R is what T alone makes.
     const auto [near, far] = line_of_reaction(i);
     set(i, at(i).reversed ? far : near);
   }

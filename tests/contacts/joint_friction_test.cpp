@@ -145,7 +145,8 @@ TEST(FrictionOfAGuide, EndsWhereItsReactionComesToZero) {
   EXPECT_EQ(result.contact, 0);
   EXPECT_GT(y[2], 0.1) << "it still slides to the side 1";
   const double s = std::sin(y[1]), c = std::cos(y[1]), both = m + s * s, square = y[3] * y[3];
-  const double n = -s * c / both, N0 = (m + 1) * g + c * square - p * result.time - s * s * g - s * c * s * (square + g * c) / both;
+  const double n = -s * c / both, pressed = (m + 1) * g + c * square - p * result.time;
+  const double N0 = pressed - s * s * g - s * c * s * (square + g * c) / both;
   EXPECT_GT(f * n, 1.1);
   EXPECT_NEAR(N0, 0, 1e-8 * m * g);
 }
@@ -248,7 +249,8 @@ std::optional<std::size_t> motions_by_hand(const ContactProblem& problem) {
       for (int k = 0; k < joints; ++k) B(2 + k, 1 + k) = -1;
       Eigen::MatrixXd A(1 + joints, 1 + joints);
       Eigen::VectorXd b(1 + joints);
-      A.row(0) = open != 0 ? Eigen::RowVectorXd(Eigen::RowVectorXd::Unit(1 + joints, 0)) : Eigen::RowVectorXd(problem.W.row(0) * B);
+      A.row(0) = Eigen::RowVectorXd::Unit(1 + joints, 0);
+      if (open == 0) A.row(0) = problem.W.row(0) * B;
       b(0) = open != 0 ? 0 : -problem.q(0);
       for (int k = 0; k < joints; ++k) {
         const double e = (signs >> k & 1) != 0 ? -1 : 1, f = problem.law(1 + k).friction;
@@ -275,7 +277,8 @@ std::optional<std::size_t> motions_of_a_journal(const ContactProblem& problem) {
     const Eigen::RowVector3d row = problem.W.row(0);
     const double N_0 = open != 0 ? 0 : -problem.q(0) / row.dot(of_N), N_1 = open != 0 ? 0 : -row.dot(of_t) / row.dot(of_N);
     const Eigen::Vector2d R_0 = problem.S * of_N * N_0 + problem.c, R_1 = problem.S * (of_N * N_1 + of_t);
-    const double a = 1 - f * f * R_1.squaredNorm(), b = -f * f * R_0.dot(R_1), c = -f * f * R_0.squaredNorm(), root = b * b - a * c;
+    const double a = 1 - f * f * R_1.squaredNorm(), b = -f * f * R_0.dot(R_1), c = -f * f * R_0.squaredNorm();
+    const double root = b * b - a * c;
     if (std::abs(root) < 1e-6 || std::abs(a) < 1e-3) return std::nullopt;
     for (const double sign : {1.0, -1.0}) {
       const double t = (-b + sign * std::sqrt(root)) / a, N = N_0 + N_1 * t;
@@ -297,7 +300,8 @@ void expect_all(unsigned seed, int joints, int bearing, std::optional<std::size_
     if (!count) continue;
     const ContactAnswer answer = solve_contacts(problem);
     EXPECT_EQ(answer.count, *count) << k;
-    EXPECT_EQ(answer.verdict, *count == 0 ? ContactVerdict::none : *count == 1 ? ContactVerdict::unique : ContactVerdict::several) << k;
+    const ContactVerdict some = *count == 1 ? ContactVerdict::unique : ContactVerdict::several;
+    EXPECT_EQ(answer.verdict, *count == 0 ? ContactVerdict::none : some) << k;
     ++seen[std::min<std::size_t>(*count, 2)];
   }
   for (const int each : seen) EXPECT_GT(each, 20);

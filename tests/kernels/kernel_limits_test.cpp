@@ -50,7 +50,9 @@ TEST(KernelLimits, OfADragAtRestAreThoseOfItsLinearPart) {
   for (const char* kernel : {"linearisation", "forward_dynamics_derivatives", "inverse_dynamics_derivatives"}) {
     const std::vector<double> whole = results(kernel, pendulum("3"), 0), linear = results(kernel, pendulum("0"), 0);
     ASSERT_EQ(whole.size(), linear.size());
-    for (std::size_t i = 0; i < whole.size(); ++i) EXPECT_NEAR(whole[i], linear[i], 1e-14 * (1 + std::abs(linear[i]))) << kernel << i;
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+      EXPECT_NEAR(whole[i], linear[i], 1e-14 * (1 + std::abs(linear[i]))) << kernel << i;
+    }
     // They are approached in proportion to the speed, as the slope of v |v| is.
     const std::vector<double> near = results(kernel, pendulum("3"), 1e-7);
     for (std::size_t i = 0; i < whole.size(); ++i) EXPECT_NEAR(whole[i], near[i], 1e-5) << kernel << i;

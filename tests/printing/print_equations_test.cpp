@@ -126,7 +126,8 @@ TEST(LinearisedEquations, HaveTheLimitsOfADragAtRest) {
     scene.generalised_force("drag y", y, drag(rate(y), speed));
     return scene;
   };
-  const Expression c = Expression::quantity("3", "kg/m"), d = Expression::quantity("1", "N s/m"), f = Expression::quantity("1", "N");
+  const Expression c = Expression::quantity("3", "kg/m"), d = Expression::quantity("1", "N s/m");
+  const Expression f = Expression::quantity("1", "N");
   const auto quadratic = [&](const Expression& v, const Expression& speed) { return -(d + c * speed) * v; };
   const std::string text =
       section(print(floating(quadratic), {.about = {{"x", "0"}, {"y", "0"}}}), "Linearised equations");

@@ -75,7 +75,8 @@ TEST_F(LimitsAtRoots, AreNoneWhereTheyDependOnTheWay) {
 
 /// Roots that vanish together share what is small: x^2/(V W) with W = sqrt(4 x^2 + y^2) tends to 1/2 where y = 0.
 TEST_F(LimitsAtRoots, CountWhatIsSmallOnce) {
-  const Expression V = root(), W = sqrt(4 * x * x + y * y), U = sqrt(z * z + pow(Expression(make_symbol("w", "1", SymbolKind::velocity)), 2));
+  const Expression w = make_symbol("w", "1", SymbolKind::velocity);
+  const Expression V = root(), W = sqrt(4 * x * x + y * y), U = sqrt(z * z + w * w);
   const Value together = program.lower(x * x / (V * W));
   EXPECT_EQ(with_limits_at_roots(program, {together})[0].polynomial(), together.polynomial());
   const Value apart = with_limits_at_roots(program, {program.lower(x * x * z * z / (V * U))})[0];
