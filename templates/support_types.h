@@ -6,7 +6,8 @@
 // where room counts more than time. The file is C99, and as C++ the same.
 #include <math.h>
 
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST) || \
+    (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
 #ifndef TORSOR_LIBM
 #define TORSOR_LIBM  // sums would be reassociated or hold more digits than their type
 #endif

@@ -117,15 +117,19 @@ std::optional<LinearisedEquations> limits(LagrangeEquations& equations, const Sc
 
 LinearisedEquations linearised(LagrangeEquations& equations, const Scene& scene, const About& about) {
   try {
-    try {
-      return matrices(equations, scene, about);
-    } catch (const GiNaC::pole_error&) {
-      if (const std::optional<LinearisedEquations> result = limits(equations, scene, about)) return *result;
-    }
-  } catch (const GiNaC::pole_error&) {  // the next line tells it
+    return matrices(equations, scene, about);
+  } catch (const GiNaC::pole_error&) {  // a limit may exist
   } catch (const DivisionByZero&) {
+    throw UsageError(no_value_at_state);
   }
-  throw UsageError(no_value_at_state);
+  try {
+    if (const std::optional<LinearisedEquations> result = limits(equations, scene, about)) return *result;
+  } catch (const GiNaC::pole_error&) {
+    throw UsageError(no_value_at_state);
+  } catch (const DivisionByZero&) {
+    throw UsageError(no_value_at_state);
+  }
+  throw UsageError("the linearised equations about this state are too long to be written out");
 }
 
 }  // namespace torsor::printing

@@ -71,6 +71,12 @@ class Smallness {
     return all;
   }
 
+  /// Whether a size of another root vanishes with this one.
+  bool shares(const Program& program, ValueNumber other) {
+    const std::set<ValueNumber> sizes = sizes_under(program, other);
+    return std::any_of(sizes.begin(), sizes.end(), [&](ValueNumber size) { return of(size).regular > 0; });
+  }
+
  private:
   Orders of_product(const Monomial& monomial) {
     std::vector<Orders> factors;
@@ -97,7 +103,7 @@ class Smallness {
       if (base.singular < never && n > 1) power.singular += (n - 1) * base.least();
       return power;
     }
-    // What does not vanish with V has a reciprocal with a bounded slope.
+    // Of order 0: where it vanishes all the same the reciprocal is not finite, and so is what it enters.
     if (base.regular > 0) return {never, -never};
     return {0, base.singular == never ? never : kept(base.singular)};
   }
@@ -133,8 +139,8 @@ class Smallness {
         if (arguments[0].singular < never) return {0, -never};  // it decides by what is not known
         return {std::min(arguments[1].regular, arguments[2].regular), singular};
       case Function::sign: return {0, singular < never ? -never : never};
-      case Function::log:
-      case Function::atan2: return {0, singular < never && regular > 0 ? -never : singular};
+      case Function::log: return {0, singular < never && regular > 0 ? -never : singular};
+      case Function::atan2: return {0, singular < never ? -never : never};  // it has no limit at (0, 0)
       case Function::cos:
       case Function::exp: break;
     }
@@ -223,6 +229,17 @@ std::vector<Value> with_limits_at_roots(Program& program, const std::vector<Valu
     return std::any_of(values.begin(), values.end(),
                        [&](const Value& value) { return smallness.of(value.polynomial()).singular <= 0; });
   });
+  // What is small for two roots would be counted for each of them: x^2/(V W) with V = sqrt(x^2 + y^2), W = sqrt(x^2 + z^2).
+  // One of them stays as it is, so that the value where both vanish is none.
+  std::vector<ValueNumber> apart;
+  for (const ValueNumber root : roots) {
+    Smallness smallness(program, root);
+    const bool shared = std::any_of(apart.begin(), apart.end(), [&](ValueNumber other) {
+      return smallness.shares(program, other) || Smallness(program, other).shares(program, root);
+    });
+    if (!shared) apart.push_back(root);
+  }
+  roots = {apart.begin(), apart.end()};
   if (roots.empty()) return values;
   Rebuilt rebuilt(program, roots);
   std::vector<Value> result;

@@ -12,7 +12,8 @@ namespace torsor {
 ///
 /// |u_j| ≤ V/√k_j. So each value is a sum of terms without V in a denominator and of some that are bounded by C V^o.
 /// Where o > 0 in all values, 1/V is replaced by 1/(V > 0 ? V : 1), with which those terms are zero at V = 0. Elsewhere
-/// nothing changes: the limit of a term of degree o = 0 would depend on the way, as that of u/V does.
+/// nothing changes: the limit of a term of degree o = 0 would depend on the way, as that of u/V does. Of roots that have a u_j in
+/// common one is looked at.
 std::vector<Value> with_limits_at_roots(Program& program, const std::vector<Value>& values);
 
 }  // namespace torsor

@@ -43,7 +43,7 @@ struct scalar_traits<runtime::Simd<Number, lanes, instructions>> {
   }
   template <int N>
   TORSOR_SIMD_INLINED static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
-#if defined(TORSOR_STD_SINCOS) || defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || \
+#if defined(TORSOR_STD_SINCOS) || defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST) || \
     (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
     lane_by_lane(angles, sines, cosines, N, Number(-1));
 #else

@@ -182,6 +182,7 @@ class Simd {
     return result;
   }
   [[nodiscard]] friend TORSOR_SIMD_INLINED Simd operator*(const Simd& a, const Simd& b) noexcept {
+    TORSOR_SIMD_AS_WRITTEN
     Simd result;
     if constexpr (in_register) {
       result.values_ = a.values_ * b.values_;
@@ -191,6 +192,7 @@ class Simd {
     return result;
   }
   [[nodiscard]] friend TORSOR_SIMD_INLINED Simd operator/(const Simd& a, const Simd& b) noexcept {
+    TORSOR_SIMD_AS_WRITTEN
     Simd result;
     if constexpr (in_register) {
       result.values_ = a.values_ / b.values_;
@@ -200,6 +202,7 @@ class Simd {
     return result;
   }
   [[nodiscard]] friend TORSOR_SIMD_INLINED Simd operator-(const Simd& a) noexcept {
+    TORSOR_SIMD_AS_WRITTEN
     Simd result;
     if constexpr (in_register) {
       result.values_ = -a.values_;

@@ -49,8 +49,9 @@ class ContactAutomaton {
   bool holds_on(std::size_t index, double t, std::span<const double> y);
   /// Whether steps that fell below the resolution of time did so because slips jam: then the motion ends with `jams`.
   [[nodiscard]] bool jams_nearly(double t, std::span<const double> y);
-  /// Whether they did so because a joint's reaction comes to zero, behind which no regime exists: then the motion ends for that.
-  [[nodiscard]] bool ends_with_a_reaction(double t, std::span<double> y);
+  /// Whether they did so because a joint's reaction ends: the regimes that follow, or the end of the motion where none do.
+  /// Nothing where no reaction does.
+  [[nodiscard]] std::optional<bool> pass_end_of_reaction(double t, std::span<double> y);
   /// Whether the steps have ended where forces jump and what holds a contact gives way: `pass` of its guard follows. Nothing where
   /// none does.
   [[nodiscard]] std::optional<bool> pass_jump_of_forces(double t, std::span<double> y);
@@ -136,6 +137,7 @@ class ContactAutomaton {
   bool strike(int contact);
   bool begin_to_slide(int contact);
   bool pass_event(std::size_t index, double t, std::span<double> y);
+  bool tell_changes(const PerContact<ContactState>& before);
   [[nodiscard]] bool still_slips(int contact, Watched watched);
   bool happened(int contact, bool normal);
   bool pass_on(bool normal);

@@ -125,25 +125,47 @@ std::optional<bool> ContactAutomaton::pass_jump_of_forces(double t, std::span<do
   return std::nullopt;
 }
 
-// The reaction R that presses a joint in proportion has come to zero, R = R0 + s T with T = -f |R|. Where f |s| > 1 there is no R
-// of the other sign behind it, and no R at all: as where the normal force of such a slip would become negative.
-bool ContactAutomaton::ends_with_a_reaction(double t, std::span<double> y) {
+// The reaction that presses a joint is R = R0 + s T with |T| = f |R|, other regimes held. Where f |s| > 1 and R0 comes to zero
+// there is none behind it, of either sign.
+std::optional<bool> ContactAutomaton::pass_end_of_reaction(double t, std::span<double> y) {
   const auto lost = [&](double after, std::span<const double> there) {
     return motion_.read(t + after, there) && motion_.solve(t + after, there) == Evaluation::singular;
   };
   for (int i = 0; i < count(); ++i) {
     const ContactState& state = motion_.states[as(i)];
-    if (motion_.rule(i).bearing != 1 || !state.touches || state.regime != ContactRegime::slides) continue;
+    if (motion_.rule(i).bearing == 0 || !state.touches || state.regime != ContactRegime::slides) continue;
     const std::optional<double> later = motion_.pass_to(t, y, lost);
-    if (!later) return false;
+    if (!later) return std::nullopt;
     result_.time = told_ = t + *later;
     y_ = y;
+    std::copy_n(y_.begin(), before_.size(), before_.begin());
+    without_impact();
+    ends_too_.fill(false);
+    has_event_ = false;
     const PerContact<ContactState> before = motion_.states;
-    if (decide(i, Cause::none)) return false;
-    motion_.states = before;
-    return true;
+    if (!decide(i, Cause::none)) {
+      motion_.states = before;
+      return false;
+    }
+    return tell_changes(before) ? std::optional(true) : std::nullopt;
   }
-  return false;
+  return std::nullopt;
+}
+
+// Regimes that are others than before, each as an event; the first one is told first.
+bool ContactAutomaton::tell_changes(const PerContact<ContactState>& before) {
+  for (int i = count(); i-- > 0;) {
+    const ContactState& now = motion_.states[as(i)];
+    if (now.touches == before[as(i)].touches && now.regime == before[as(i)].regime) continue;
+    if (!now.touches) bounces_[as(i)].left = result_.time;
+    if (has_event_) ends_too_[as(contact_)] = true;
+    has_event_ = true;
+    contact_ = i;
+    kind_ = !now.touches ? ContactEventKind::opens
+            : now.regime == ContactRegime::slides ? ContactEventKind::slips : ContactEventKind::slip_ends;
+    ++result_.events;
+  }
+  return has_event_;
 }
 
 // Two that stick may hold a hinge that is all but on their line, as that of a leg on the side of a box that comes to rest on it.

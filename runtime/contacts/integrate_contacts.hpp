@@ -184,8 +184,8 @@ class ContactRun {
         const std::optional<int> flat = automaton_.motion().without_point(piece.time, y_);
         if (flat) return automaton_.end(ContactStatus::no_point, flat);
         const bool lost = piece.status == EventStatus::integration_failed;
-        if (lost && automaton_.ends_with_a_reaction(piece.time, y_)) return false;
-        const std::optional<bool> passed = lost ? automaton_.pass_loss_of_rank(piece.time, y_) : std::nullopt;
+        std::optional<bool> passed = lost ? automaton_.pass_end_of_reaction(piece.time, y_) : std::nullopt;
+        if (lost && !passed) passed = automaton_.pass_loss_of_rank(piece.time, y_);
         if (passed) {
           careful_ = {};  // these ended just here
           return *passed && told();

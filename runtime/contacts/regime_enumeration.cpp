@@ -13,7 +13,8 @@ namespace torsor::runtime {
 
 ContactAnswer RegimeEnumeration::run(bool thoroughly) noexcept {
   thoroughly_ = thoroughly;
-  tried_ = complete_ = true;
+  tried_ = true;
+  complete_ = bearings_ <= 3;  // of more joints R is looked for from one side
   try_all();
   // Where bounds leave one place alone, rounding may hide it in the regimes that stand for others.
   if (answer_.count == 0 && left_out_) {

@@ -12,7 +12,7 @@ namespace torsor::runtime {
 /// Tries every combination of regimes: open, sticking, sliding; in the plane to either side. In space the direction of
 /// a slip that begins is found too: all directions where one contact or two begin to slide, by trigonometric polynomials;
 /// where more do, those that Newton's method reaches from three or six directions of each. The directions of the reactions that
-/// press joints are found from c and, of up to three joints, from -c too.
+/// press joints are found from T = 0 and, of up to three joints, from a large T too: of one component both signs are tried.
 class RegimeEnumeration {
  public:
   using Regimes = RegimeSystem::Regimes;

@@ -31,14 +31,15 @@ class LimitsAtRoots : public ::testing::Test {
     const Point point{{"x", Real::from_double(x0)}, {"y", Real::from_double(y0)}, {"z", Real::from_double(z0)}, {"k", Real(3)}};
     return Evaluator<Real>(program, testing_symbols::at(point))(value).to_double();
   }
-  /// Whether there is no value where x and y vanish.
-  bool divides_by_zero(const Expression& f) {
+  bool is_finite(const Value& value, double x0, double y0, double z0) {
     try {
-      return !std::isfinite(at(with_slope(f)[1], 0, 0));
+      return std::isfinite(at(value, x0, y0, z0));
     } catch (const DivisionByZero&) {
-      return true;
+      return false;
     }
   }
+  /// Whether there is no value where x and y vanish.
+  bool divides_by_zero(const Expression& f) { return !is_finite(with_slope(f)[1], 0, 0, 2); }
   Expression root() const { return sqrt(x * x + y * y); }
 };
 
@@ -79,6 +80,10 @@ TEST_F(LimitsAtRoots, CountWhatIsSmallOnce) {
   const Expression V = root(), W = sqrt(4 * x * x + y * y), U = sqrt(z * z + w * w);
   const Value together = program.lower(x * x / (V * W));
   EXPECT_EQ(with_limits_at_roots(program, {together})[0].polynomial(), together.polynomial());
+  // One size in common: x^2/(V W) is 1 along x and 0 along y.
+  const Value common = with_limits_at_roots(program, {program.lower(x * x / (V * sqrt(x * x + z * z)))})[0];
+  EXPECT_FALSE(is_finite(common, 0, 0, 0));
+  EXPECT_FALSE(is_finite(with_limits_at_roots(program, {program.lower(atan2(x * x / V, z))})[0], 0, 0, 0));
   const Value apart = with_limits_at_roots(program, {program.lower(x * x * z * z / (V * U))})[0];
   Point point{{"x", Real()}, {"y", Real()}, {"z", Real(2)}, {"w", Real(1)}};
   EXPECT_EQ(Evaluator<Real>(program, testing_symbols::at(point))(apart).to_double(), 0);
