@@ -128,6 +128,7 @@ std::optional<bool> ContactAutomaton::pass_jump_of_forces(double t, std::span<do
 // The reaction that presses a joint is R = R0 + s T with |T| = f |R|, other regimes held. Where f |s| > 1 and R0 comes to zero
 // there is none behind it, of either sign.
 std::optional<bool> ContactAutomaton::pass_end_of_reaction(double t, std::span<double> y) {
+  if (motion_.near_change_point()) return std::nullopt;  // there loops lose rank, whatever rubs
   const auto lost = [&](double after, std::span<const double> there) {
     return motion_.read(t + after, there) && motion_.solve(t + after, there) == Evaluation::singular;
   };
