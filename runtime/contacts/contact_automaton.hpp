@@ -137,6 +137,8 @@ class ContactAutomaton {
   bool strike(int contact);
   bool begin_to_slide(int contact);
   bool pass_event(std::size_t index, double t, std::span<double> y);
+  [[nodiscard]] bool is_singular(double t, std::span<const double> y);
+  void stand_undecided_at(double t, std::span<double> y);
   bool tell_changes(const PerContact<ContactState>& before);
   [[nodiscard]] bool still_slips(int contact, Watched watched);
   bool happened(int contact, bool normal);

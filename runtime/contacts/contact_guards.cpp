@@ -125,24 +125,31 @@ std::optional<bool> ContactAutomaton::pass_jump_of_forces(double t, std::span<do
   return std::nullopt;
 }
 
+bool ContactAutomaton::is_singular(double t, std::span<const double> y) {
+  return motion_.read(t, y) && motion_.solve(t, y) == Evaluation::singular;
+}
+
+// The state whose regimes are decided anew, and of which nothing has been told.
+void ContactAutomaton::stand_undecided_at(double t, std::span<double> y) {
+  result_.time = told_ = t;
+  y_ = y;
+  std::copy_n(y_.begin(), before_.size(), before_.begin());
+  without_impact();
+  ends_too_.fill(false);
+  has_event_ = false;
+}
+
 // The reaction that presses a joint is R = R0 + s T with |T| = f |R|, other regimes held. Where f |s| > 1 and R0 comes to zero
 // there is none behind it, of either sign.
 std::optional<bool> ContactAutomaton::pass_end_of_reaction(double t, std::span<double> y) {
   if (motion_.near_change_point()) return std::nullopt;  // there loops lose rank, whatever rubs
-  const auto lost = [&](double after, std::span<const double> there) {
-    return motion_.read(t + after, there) && motion_.solve(t + after, there) == Evaluation::singular;
-  };
+  const auto lost = [&](double after, std::span<const double> there) { return is_singular(t + after, there); };
   for (int i = 0; i < count(); ++i) {
     const ContactState& state = motion_.states[as(i)];
     if (motion_.rule(i).bearing == 0 || !state.touches || state.regime != ContactRegime::slides) continue;
     const std::optional<double> later = motion_.pass_to(t, y, lost);
     if (!later) return std::nullopt;
-    result_.time = told_ = t + *later;
-    y_ = y;
-    std::copy_n(y_.begin(), before_.size(), before_.begin());
-    without_impact();
-    ends_too_.fill(false);
-    has_event_ = false;
+    stand_undecided_at(t + *later, y);
     const PerContact<ContactState> before = motion_.states;
     if (!decide(i, Cause::none)) {
       motion_.states = before;
@@ -173,23 +180,16 @@ bool ContactAutomaton::tell_changes(const PerContact<ContactState>& before) {
 // What they cannot hold grows beyond rounding as it comes down.
 std::optional<bool> ContactAutomaton::pass_loss_of_rank(double t, std::span<double> y) {
   if (motion_.reading().A.rows() > 0) return std::nullopt;  // a dead centre of a loop is none of the contacts'
-  const auto lost = [&](double after, std::span<const double> there) {
-    return motion_.read(t + after, there) && motion_.solve(t + after, there) == Evaluation::singular;
-  };
+  const auto lost = [&](double after, std::span<const double> there) { return is_singular(t + after, there); };
   const bool here = lost(0, y);
   bool any = here;
   for (int i = 0; i < count() && !here && motion_.solve(t, y) == Evaluation::ok; ++i) any = any || motion_.undetermined(i);
   if (!any) return std::nullopt;
   const std::optional<double> later = here ? 0 : motion_.pass_to(t, y, lost);
   if (!later) return std::nullopt;
-  result_.time = told_ = t + *later;
-  y_ = y;
-  std::copy_n(y_.begin(), before_.size(), before_.begin());
+  stand_undecided_at(t + *later, y);
   const PerContact<ContactState> before = motion_.states;
   kind_ = ContactEventKind::slips;
-  without_impact();
-  ends_too_.fill(false);
-  has_event_ = false;
   if (!decide(std::nullopt, Cause::none)) return result_.status == ContactStatus::reached_end ? std::nullopt : std::optional(false);
   for (int i = count(); i-- > 0;) {
     if (before[as(i)].regime != ContactRegime::sticks || motion_.states[as(i)].regime == ContactRegime::sticks) continue;
